@@ -5,7 +5,7 @@ if(VOXC_SANITIZE)
   set(archiveDefault OFF) # Nothing of LLVM is sanitized, and containers that cross over would seem broken.
 endif()
 option(VOXC_STATIC_LLVM "Link LLVM and Clang into the programs, if their archives are found" ${archiveDefault})
-option(VOXC_PIE "Place the programs anywhere in memory, which attackers cannot foretell; without, they start in a quarter less time" ON)
+option(VOXC_PIE "Place the programs anywhere in memory, which attackers cannot predict; without, they start in a quarter less time" ON)
 
 if(VOXC_STATIC_LLVM)
   file(GLOB VOXC_LLVM_ARCHIVES "${LLVM_LIBRARY_DIR}/libLLVM*.a" "${LLVM_LIBRARY_DIR}/libclang?*.a")

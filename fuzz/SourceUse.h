@@ -11,7 +11,7 @@
 namespace voxc::fuzz {
 
 /// Ends where the source fails.
-inline void walk(VoxelSource &source, const Cube &cube, int &bricksLeft) {
+inline void traversal(VoxelSource &source, const Cube &cube, int &bricksLeft) {
   if (bricksLeft <= 0 || source.empty(cube))
     return;
   if (cube.log2Side == 3) {
@@ -21,7 +21,7 @@ inline void walk(VoxelSource &source, const Cube &cube, int &bricksLeft) {
   }
   const int half = cube.log2Side - 1;
   for (std::uint64_t child = 0; child < 8; ++child)
-    walk(source, {cube.low + mortonCell(child) * (1 << half), half}, bricksLeft);
+    traversal(source, {cube.low + mortonCell(child) * (1 << half), half}, bricksLeft);
 }
 
 /// Reads some of the voxels. Formats hold little, so that a small file cannot stand for much honest work.
@@ -33,7 +33,7 @@ inline void readVoxels(const Expected<Input> &input) {
   while (1 << log2Side < std::max({extent.x, extent.y, extent.z}))
     ++log2Side;
   int bricksLeft = 2000;
-  walk(*input->source, {{}, log2Side}, bricksLeft);
+  traversal(*input->source, {{}, log2Side}, bricksLeft);
 }
 
 inline InputOptions fuzzedOptions() {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fits the weights of a speed model (lib/Search/SpeedModel.cpp) to what was measured, and tells how well it foretells.
+"""Fits the weights of a speed model (lib/Search/SpeedModel.cpp) to what was measured, and tells how well it predicts.
 
   fit-speeds.py FOLDER...    folders of one device, of: voxc search INPUT --formats LIST --all -o FOLDER --stats FOLDER/stats.json
 
@@ -44,12 +44,12 @@ def fit(terms):
 
 
 def left_out(terms, groups):
-    """What is foretold of each row by the fit to all other groups."""
-    foretold = np.empty(len(terms))
+    """What is predicted of each row by the fit to all other groups."""
+    predicted = np.empty(len(terms))
     for group in set(groups):
         chosen = groups == group
-        foretold[chosen] = terms[chosen] @ fit(terms[~chosen])
-    return foretold
+        predicted[chosen] = terms[chosen] @ fit(terms[~chosen])
+    return predicted
 
 
 def rank_correlation(one, other):
@@ -68,8 +68,8 @@ def main(folders):
     weights = fit(terms)
 
     print(f"{len(found)} speeds of {len(texts)} formats; weights: " + ", ".join(f"{weight:.2g}" for weight in weights))
-    for what, foretold in (("as fitted", terms @ weights), ("formats left out", by_format), ("scenes left out", by_scene)):
-        errors = np.abs(foretold - 1)
+    for what, predicted in (("as fitted", terms @ weights), ("formats left out", by_format), ("scenes left out", by_scene)):
+        errors = np.abs(predicted - 1)
         print(f"{what}: median {np.median(errors):.1%}, nine in ten below {np.percentile(errors, 90):.0%}")
     for scene, rays in sorted({(scene, rays) for scene, rays, _ in found}):
         chosen = np.array([key[:2] == (scene, rays) for key in found])

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Measures the nested and the restart walk on given rays, one core, and prints the table of docs/notes/2026-11-22-walks.md.
+"""Measures the nested and the restart traversal on given rays, one core, and prints the table of docs/notes/2026-11-22-walks.md.
 
   measure.py VOXC INPUT FORMATS RAYS...    FORMATS: a list, label<TAB>format
 
-Each format is built once; its walks are traced in turn (A B A B), and a cell is the best of all repeats in million rays
+Each format is built once; its traversals are traced in turn (A B A B), and a cell is the best of all repeats in million rays
 per CPU second of the process. The errors are those of an evenly spread sample of the same rays.
 """
 import json
@@ -24,8 +24,8 @@ def run(*command):
     subprocess.run([str(part) for part in command], check=True, env=environment)
 
 
-def trace(voxc, volume, rays, walk, folder):
-    run(voxc, "trace", volume, "--trusted", "--rays", rays, *WALKS[walk], "--repeat", REPEATS, "--threads", 1,
+def trace(voxc, volume, rays, traversal, folder):
+    run(voxc, "trace", volume, "--trusted", "--rays", rays, *WALKS[traversal], "--repeat", REPEATS, "--threads", 1,
         "--check", SAMPLE, "-o", folder / "hits", "--stats", folder / "stats", "--quiet")
     return json.loads((folder / "stats").read_text())
 
@@ -38,22 +38,22 @@ def measure(voxc, source, form, rays, folder):
     volume = folder / "volume.hvx"
     run(voxc, "build", form, source, "--whole-level-dedup", "-o", volume, "--quiet", "--stats", folder / "stats")
     built = json.loads((folder / "stats").read_text())
-    walks = [walk for walk in WALKS if walk == "nested" or "S(" in form or "G(" in form]
+    traversals = [traversal for traversal in WALKS if traversal == "nested" or "S(" in form or "G(" in form]
     best = {}
     errors = 0
     for file in rays:
         for _ in range(ROUNDS):
-            for walk in walks:
-                figures = trace(voxc, volume, file, walk, folder)
-                best[walk, file] = max(best.get((walk, file), 0), figures["mrays_per_cpu_s"])
+            for traversal in traversals:
+                figures = trace(voxc, volume, file, traversal, folder)
+                best[traversal, file] = max(best.get((traversal, file), 0), figures["mrays_per_cpu_s"])
                 errors = max(errors, wrong(figures["error"]))
-    cells = [f"{best[walk, file]:.2f}" if (walk, file) in best else "" for walk in WALKS for file in rays]
+    cells = [f"{best[traversal, file]:.2f}" if (traversal, file) in best else "" for traversal in WALKS for file in rays]
     return [f"{built['bytes'] / 2**20:.2f}", f"{built['build_seconds']:.2f}", *cells, str(errors)]
 
 
 def main():
     voxc, source, formats, *rays = sys.argv[1:]
-    names = [f"{walk} {i}" for walk in WALKS for i in range(len(rays))]
+    names = [f"{traversal} {i}" for traversal in WALKS for i in range(len(rays))]
     print("| Format | MiB | Build s |", " | ".join(names), "| Wrong |", flush=True)
     print("|---" * (4 + len(names)) + "|", flush=True)
     for line in Path(formats).read_text().splitlines():

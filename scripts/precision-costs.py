@@ -40,7 +40,7 @@ def measure(voxc, volume, rays, folder):
     """Of each device, the cost and both speeds; and how many rays were wrong."""
     stats = folder / "stats.json"
     devices = [word for device in DEVICES for word in ("--device", device)]
-    run(voxc, "accuracy", volume, "--trusted", "--rays", rays, *devices, "--threads", 1, "--walks", "stack", "--repeat", ROUNDS,
+    run(voxc, "accuracy", volume, "--trusted", "--rays", rays, *devices, "--threads", 1, "--traversals", "stack", "--repeat", ROUNDS,
         "--check", CHECKED, "-o", folder / "plots", "--stats", stats, "--quiet", folder=folder)
     speeds, wrong = {}, 0
     for variant in json.loads(stats.read_text())["variants"]:

@@ -45,14 +45,14 @@ const int CUT_SHORT = 2; // No order: the device did not let it be found.
 // A float32 number that a device might not keep is 0 here, and is not looked at.
 double exactly(uint bits) { return double(uintBitsToFloat(bits)); }
 
-// -1 or 1 if coordinate a passes its face before coordinate b or after it; 0 if doubles cannot tell. Four roundings of 2^-53
+// -1 or 1 if coordinate a passes its face before coordinate b or after it; 0 if doubles cannot decide. Four roundings of 2^-53
 // are the most that they get wrong of the two products together.
 int compare_by_doubles(const Ray ray, int a, int face_a, int b, int face_b) {
   double of_a = (double(face_a) - exactly(ray.given_origin[a])) * exactly(ray.given_direction[b]);
   double of_b = (double(face_b) - exactly(ray.given_origin[b])) * exactly(ray.given_direction[a]);
   double difference = of_a - of_b;
-  double doubt = (abs(of_a) + abs(of_b)) * double(1.0f / 1125899906842624.0f); // 2^-50.
-  int order = difference > doubt ? 1 : difference < -doubt ? -1 : 0;
+  double bound = (abs(of_a) + abs(of_b)) * double(1.0f / 1125899906842624.0f); // 2^-50.
+  int order = difference > bound ? 1 : difference < -bound ? -1 : 0;
   order = ray.plain ? order : 0;
   return ray.falls[a] == ray.falls[b] ? order : -order;
 }
@@ -101,7 +101,7 @@ OUT_OF_LINE int compare_exactly(const Ray ray, int a, int face_a, int b, int fac
   return (CUT && order == CUT_SHORT) || ray.falls[a] == ray.falls[b] ? order : -order;
 }
 
-// The same, by doubles where they can tell.
+// The same, by doubles where they can decide.
 int compare_crossings(const Ray ray, int a, int face_a, int b, int face_b) {
   if (!IEEE)
     return compare_exactly(ray, a, face_a, b, face_b);
@@ -126,7 +126,7 @@ void narrow(const Ray ray, const Crossing crossing, int axis, int face, int orde
 }
 
 // Narrows a range down, on each axis, to the cell that the ray is in once a crossing has happened.
-OUT_OF_LINE ivec3 settle(const Ray ray, const Crossing crossing, const Range candidates) {
+OUT_OF_LINE ivec3 resolve_cell(const Ray ray, const Crossing crossing, const Range candidates) {
   Range range = candidates;
   while (range.least != range.most) {
     int axis = undecided_axis(range);
@@ -138,9 +138,9 @@ OUT_OF_LINE ivec3 settle(const Ray ray, const Crossing crossing, const Range can
 
 // What can be told, without integers, of the cell, within a range, that the ray is in once a crossing has happened.
 Range approximate_cell(const Ray ray, const Crossing crossing, const Range range) {
-  real3 point = ray.lowest + crossing.t * ray.direction;
-  real3 doubt = mix(real3(0.0f), real3(ray.doubt), ray.moves);
+  real3 point = ray.origin_low + crossing.t * ray.direction;
+  real3 bound = mix(real3(0.0f), real3(ray.coordinate_error), ray.moves);
   real3 least = real3(range.least);
   real3 most = real3(range.most);
-  return Range(ivec3(clamp(floor(point), least, most)), ivec3(clamp(floor(point + doubt), least, most)));
+  return Range(ivec3(clamp(floor(point), least, most)), ivec3(clamp(floor(point + bound), least, most)));
 }

@@ -1,19 +1,19 @@
-// Where a walk begins: in the cell of the ray's origin, or in the first cell of the volume that the ray comes to.
+// Where a traversal begins: in the cell of the ray's origin, or in the first cell of the volume that the ray comes to.
 
 const float CLOSE = 1.0f / 2048.0f; // In voxels.
 
-// Bounds what float32 gets wrong in a walk through the volume, where the origin itself is wrong by `of_origin`, and a t
-// by `slack`. A coordinate that never changes stays in its cell.
-void bound_errors(inout Ray ray, real3 cell, float of_origin, float slack) {
+// Bounds what float32 gets wrong in a traversal through the volume, where the origin itself is wrong by `of_origin`, and a t
+// by `t_error`. A coordinate that never changes stays in its cell.
+void bound_errors(inout Ray ray, real3 cell, float of_origin, float t_error) {
   real3 half_size = 0.5f * real3(VOLUME_SIZE);
   real3 reach = abs(ray.origin - half_size) + half_size; // To the farther of the volume's two faces.
   real error = greatest_of(reach) * ROUNDINGS + real(of_origin);
-  if (COMES_NEAR || SETTLES)
-    error = min(error + 2.0f * slack, real(NEVER));
-  ray.slack = slack;
-  ray.lowest = mix(cell + 0.25f, ray.origin - error, ray.moves);
-  ray.doubt = 2.0f * error;
-  ray.certain = 1.0f - ray.doubt;
+  if (COMES_NEAR || EXACT_FALLBACK)
+    error = min(error + 2.0f * t_error, real(NEVER));
+  ray.t_error = t_error;
+  ray.origin_low = mix(cell + 0.25f, ray.origin - error, ray.moves);
+  ray.coordinate_error = 2.0f * error;
+  ray.cell_margin = 1.0f - ray.coordinate_error;
 }
 
 // True where the ray moves from a coordinate so close to 0 that it may pass that face before float32 says so, as scaled directions
@@ -66,9 +66,9 @@ void start_at(inout Ray ray, ivec3 cell, int axis, int face) {
   bound_errors(ray, real3(cell), error, 2.0f * error * max(max(steep.x, steep.y), steep.z));
 }
 
-// Puts a walk into the cell that the ray comes to where it passes a face, in exact arithmetic. `cell` tells the coordinates that
+// Puts a traversal into the cell that the ray comes to where it passes a face, in exact arithmetic. `cell` tells the coordinates that
 // never change.
-Walk behind_face(const Ray ray, Walk walk, ivec3 cell, int axis, int face) {
+Traversal behind_face(const Ray ray, Traversal traversal, ivec3 cell, int axis, int face) {
   Crossing crossing;
   crossing.t = (float(face) - ray.origin[axis]) * ray.inverse[axis] - ray.late[axis];
   crossing.axis = axis;
@@ -83,41 +83,41 @@ Walk behind_face(const Ray ray, Walk walk, ivec3 cell, int axis, int face) {
     bool sure = range.least == range.most;
     if (REFINES && !sure)
       behind = cell_behind(ray, axis, face, sure);
-    if (SETTLES)
-      behind = settle(ray, crossing, range);
+    if (EXACT_FALLBACK)
+      behind = resolve_cell(ray, crossing, range);
     else if (!sure)
-      return walk; // It stays, which is not wrong: only later cells are skipped to.
-    walk.cell = behind;
+      return traversal; // It stays, which is not wrong: only later cells are skipped to.
+    traversal.cell = behind;
   } else {
-    walk.cell = settle(ray, crossing, approximate_cell(ray, crossing, range));
+    traversal.cell = resolve_cell(ray, crossing, approximate_cell(ray, crossing, range));
   }
-  walk.axis = axis;
-  return walk;
+  traversal.axis = axis;
+  return traversal;
 }
 
 // Finds the cell in which the ray enters the volume, in exact arithmetic: that of its origin, or through the last of the faces that it
 // must pass. A cell outside if there is none.
-OUT_OF_LINE Walk entered_exactly(inout Ray ray, Walk walk, bool starts_far) {
+OUT_OF_LINE Traversal entered_exactly(inout Ray ray, Traversal traversal, bool starts_far) {
   ivec3 cell = floor_of(ray.given_origin);
   ivec3 below = ivec3(lessThan(cell, ivec3(0)));
   ivec3 above = ivec3(greaterThanEqual(cell, VOLUME_SIZE));
   ivec3 enters = below * (ivec3(ray.moves) - ivec3(ray.falls)) + above * ivec3(ray.falls);
-  walk.cell = cell;
+  traversal.cell = cell;
   if (enters == ivec3(0) || enters != below + above)
-    return walk;
+    return traversal;
   ivec3 face = mix(ivec3(0), VOLUME_SIZE, ray.falls);
   int axis = last_entered(ray, greaterThan(enters, ivec3(0)), face);
   if (starts_far)
     start_at(ray, cell, axis, face[axis]);
-  return behind_face(ray, walk, cell, axis, face[axis]);
+  return behind_face(ray, traversal, cell, axis, face[axis]);
 }
 
-// The same by float32 or doubles, of an ordinary ray: it passes the last of these faces, or is past all of them. Not sure if that cannot tell
+// The same by float32 or doubles, of an ordinary ray: it passes the last of these faces, or is past all of them. Not sure if that cannot decide
 // which face is the last, or which cell is behind it.
-Walk entered(const Ray ray, Walk walk, real3 face, inout bool sure) {
+Traversal entered(const Ray ray, Traversal traversal, real3 face, inout bool sure) {
   const float LATEST = 281474976710656.0f; // 2^48: a ray of a voxel a moment is past the volume by then, whatever enters last.
   real3 t = mix(real3(-1.0f), times_of(ray, face), ray.moves); // A coordinate that never changes stays outside.
-  bool is_as_given = ray.slack == 0.0f;                        // Else it has come near, and does not begin here.
+  bool is_as_given = ray.t_error == 0.0f;                      // Else it has come near, and does not begin here.
   // From a last face, which is not in the volume, a ray enters at 0; its t is a 0 with a sign.
   real3 last_face = mix(real3(NEVER), face, ray.falls);
   bvec3 on_face = equal(ray.origin, is_as_given ? last_face : real3(NEVER));
@@ -126,16 +126,16 @@ Walk entered(const Ray ray, Walk walk, real3 face, inout bool sure) {
   real before = second_least_of(t);
   bvec3 passed = equal(t, real3(latest));
   bool begins_here = !(latest > 0.0f) && is_as_given && !any(on_face);
-  real3 point = mix(ray.lowest + latest * ray.direction, face + ray.beyond, passed);
+  real3 point = mix(ray.origin_low + latest * ray.direction, face + ray.beyond, passed);
   point = begins_here ? ray.origin : point;
   real3 whole = floor(point);
-  bool is_last = before < latest - (latest * ROUNDINGS + ray.slack);
-  bool is_certain = greatest_of(point - whole) < ray.certain;
+  bool is_last = before < latest - (latest * ROUNDINGS + ray.t_error);
+  bool is_certain = greatest_of(point - whole) < ray.cell_margin;
   bool is_sure = begins_here || (is_last && is_certain);
   sure = sure && is_sure;
-  walk.cell = ivec3(clamp(whole, -1.0f, 4194304.0f));
-  walk.axis = begins_here ? -1 : passed.x ? 0 : passed.y ? 1 : 2;
-  return walk;
+  traversal.cell = ivec3(clamp(whole, -1.0f, 4194304.0f));
+  traversal.axis = begins_here ? -1 : passed.x ? 0 : passed.y ? 1 : 2;
+  return traversal;
 }
 
 // True if a coordinate is past the volume, and goes on.
@@ -145,35 +145,35 @@ bool leaves_volume(const Ray ray) {
   return mix(above, below, ray.falls) != ivec3(0);
 }
 
-// Puts the walk into the first cell of the volume on the ray; false if there is none, or if the ray is left.
-bool enter_volume(inout Ray ray, inout Walk walk, bool ordinary) {
+// Puts the traversal into the first cell of the volume on the ray; false if there is none, or if the ray is left.
+bool enter_volume(inout Ray ray, inout Traversal traversal, bool ordinary) {
   if (COMES_NEAR && ordinary && leaves_volume(ray))
     return false;
   real3 face = mix(real3(0.0f), real3(VOLUME_SIZE), ray.falls);
   real3 cell = floor(ray.origin);
   Start near = come_near(ray, face);
-  if (SETTLES && !ordinary && any(starts_tiny(ray)))
-    near.slack = NEVER;
-  bound_errors(ray, cell, near.wrong, near.slack);
-  bool has_begun = is_in_volume(walk.cell) || walk.open >= 0;
-  if (SETTLES && has_begun && !near.is_far)
+  if (EXACT_FALLBACK && !ordinary && any(starts_tiny(ray)))
+    near.t_error = NEVER;
+  bound_errors(ray, cell, near.wrong, near.t_error);
+  bool has_begun = is_in_volume(traversal.cell) || traversal.pending_step >= 0;
+  if (EXACT_FALLBACK && has_begun && !near.is_far)
     return true; // Where it has entered need not be found again.
   bool sure = ordinary && !near.is_far;
-  Walk start = entered(ray, walk, face, sure);
-  if ((REFINES ? !SETTLES : NEAREST && SETTLES) && !sure && ordinary && !near.is_far)
-    start = entered_compensated(ray, walk, sure);
-  if (IEEE && !REFINES && SETTLES && !sure && ordinary && !near.is_far)
-    start = entered_by_doubles(ray, walk, sure);
-  if (SETTLES && !sure) {
+  Traversal start = entered(ray, traversal, face, sure);
+  if ((REFINES ? !EXACT_FALLBACK : NEAREST && EXACT_FALLBACK) && !sure && ordinary && !near.is_far)
+    start = entered_compensated(ray, traversal, sure);
+  if (IEEE && !REFINES && EXACT_FALLBACK && !sure && ordinary && !near.is_far)
+    start = entered_by_doubles(ray, traversal, sure);
+  if (EXACT_FALLBACK && !sure) {
     Ray moved = ray; // What a function may change by reference stands in memory; the ray itself need not.
-    start = entered_exactly(moved, walk, near.is_far);
+    start = entered_exactly(moved, traversal, near.is_far);
     ray = moved;
   }
-  if (!SETTLES && !sure) {
-    start = walk;
+  if (!EXACT_FALLBACK && !sure) {
+    start = traversal;
     start.cell = ivec3(-1);
-    start.open = AGAIN;
+    start.pending_step = RETRY;
   }
-  walk = start;
-  return is_in_volume(walk.cell);
+  traversal = start;
+  return is_in_volume(traversal.cell);
 }

@@ -16,22 +16,22 @@ layout(std430, set = 0, binding = 0) readonly restrict buffer BoundedRays { uvec
 layout(std430, set = 0, binding = 0) readonly restrict buffer Rays { uvec2 ray_pairs[]; };
 // Six words a hit: voxel, rgba, t, and lookups or words read, else a face.
 layout(std430, set = 0, binding = 1) restrict buffer Hits { uvec2 hit_pairs[]; };
-// A dispatch that does not settle leaves the rays which exact arithmetic has to look at to one that does, over these alone:
+// A dispatch without the exact fallback defers the rays that need exact arithmetic to one with it, over these alone:
 // what that is started with, how many they are, and their numbers.
-layout(std430, set = 0, binding = 3) restrict buffer Left {
-  uint left_groups[3];
-  uint left_count;
-  uint left_rays[];
+layout(std430, set = 0, binding = 3) restrict buffer Deferred {
+  uint deferred_groups[3];
+  uint deferred_count;
+  uint deferred_rays[];
 };
-layout(constant_id = 3) const bool SETTLES = true;
-// Rays that begin far away are moved near the volume; off, where none does, it costs nothing, and those that do are settled.
+layout(constant_id = 3) const bool EXACT_FALLBACK = true;
+// Rays that begin far away are moved near the volume; off, where none does, it costs nothing, and those that do are resolved exactly.
 layout(constant_id = 6) const bool COMES_NEAR = true;
-// The rays of this dispatch; a `task` other than all of them, from their beginning, goes on with rays that were left.
+// The rays of this dispatch; a `task` other than all of them, from their beginning, goes on with rays that were deferred.
 layout(push_constant) uniform Tile {
   uint first_ray;
   uint ray_count;
   uint task;
 };
 const uint ALL = 0u;
-const uint LEFT_OVER = 1u; // Those of the list.
-const uint CUT_OFF = 2u;   // Those that are unfinished.
+const uint DEFERRED = 1u;  // Those of the list.
+const uint TRUNCATED = 2u; // Those that are unfinished.

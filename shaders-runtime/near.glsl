@@ -18,9 +18,9 @@ float far_away() {
 
 // What is known of a ray that may have been moved.
 struct Start {
-  bool is_far; // It still begins far away, and float32 tells nothing of it.
-  float wrong; // What may be wrong of its coordinates, beside a few roundings,
-  float slack; // and of a t.
+  bool is_far;   // It still begins far away, and float32 tells nothing of it.
+  float wrong;   // What may be wrong of its coordinates, beside a few roundings,
+  float t_error; // and of a t.
 };
 
 bool is_far(real3 coordinate, bvec3 moves) {
@@ -47,8 +47,8 @@ void move_by(real3 way, inout real3 high, inout real3 low) {
 Start come_near(inout Ray ray, real3 face) {
   const uint UPPER = 0xfffff000u; // The bits of a float32 but the lowest 12 of its significand.
   const int MOST_MOVES = 3;
-  Start start =
-      Start((COMES_NEAR || SETTLES) && is_far(ray.origin, ray.moves), 0.0f, 0.0f); // No ordinary ray is, if none comes near.
+  Start start = Start((COMES_NEAR || EXACT_FALLBACK) && is_far(ray.origin, ray.moves), 0.0f,
+                      0.0f); // No ordinary ray is, if none comes near.
   if (!COMES_NEAR || !start.is_far)
     return start;
   vec3 direction = mix(vec3(0.0f), vec3(ray.direction), ray.moves);
@@ -74,7 +74,7 @@ Start come_near(inout Ray ray, real3 face) {
   real3 steep = abs(ray.inverse);
   // A t is rounded once more by what comes late, and none in the volume is above that of its last entry and the longest side, which is half of what is far.
   steep = mix(real3(0.0f), steep, ray.moves);
-  start.slack =
+  start.t_error =
       2.0f * start.wrong * float(max(max(steep.x, steep.y), steep.z)) + (latest + 0.5f * far_away()) * float(ROUNDINGS) / 4.0f;
   start.wrong += far_away() / 4194304.0f; // What is behind, and that rounding.
   return start;

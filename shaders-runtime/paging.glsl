@@ -5,7 +5,7 @@ const uint TOUCHED = 0x80000000u; // It was looked for.
 const uint ABSENT = 0x40000000u;  // It is not here, and its slot is that of zeros.
 const uint SLOT_BITS = 0x3fffffffu;
 
-// A word of a page. Where the page is absent it is 0, and from then on all words are: the walk has to wait, and asks for no
+// A word of a page. Where the page is absent it is 0, and from then on all words are: the traversal has to wait, and asks for no
 // more than what it surely needs. Beyond the volume words are 0 too, wherever a damaged one may lead.
 uint load_from_page(uint page, uint at) {
   if (COUNT_WORDS)

@@ -1,8 +1,8 @@
-// A ray as given, made ready for walking.
+// A ray as given, made ready for the traversal.
 
 const float LEAST_COMPONENT = 1.0f / 1099511627776.0f / 1099511627776.0f; // 2^-80.
 
-// Most rays are ordinary: float32 walks with them as they are, and nothing overflows or is lost on the way. Their direction is scaled
+// Most rays are ordinary: float32 traverses with them as they are, and nothing overflows or is lost on the way. Their direction is scaled
 // without a rounding, all numbers of theirs are then 0 or at least 2^-80, and they begin within 2^45 voxels, or near the volume if
 // rays from far away are not moved. `longest` has the bits of the direction's longest component, and `component` is the direction
 // once it is scaled.
@@ -66,7 +66,7 @@ Ray prepare_ray(uvec3 origin, uvec3 direction, out bool ordinary) {
   ordinary = is_ordinary(origin, longest, component);
   ray.plain = ordinary;
   ray.is_moderate = ordinary && are_moderate(ray.moves, origin, component);
-  if (SETTLES && !ordinary) {
+  if (EXACT_FALLBACK && !ordinary) {
     ray.plain = are_plain(origin) && are_plain(direction);
     component = mix(vec3(1.0f), vec3(-1.0f), greaterThan(direction, uvec3(SIGN_BIT))) * scaled_exactly(size);
     component = mix(vec3(LEAST_COMPONENT), component, ray.moves);

@@ -1,59 +1,61 @@
 // Steps from one cell of the ray to the next.
 
-// Ends a step over the gap around the walk's cell, or over that and more, which leads to another cell if that is sure.
-void end_step(const Ray ray, inout Walk walk, const Exit leaving, ivec3 cell, const Gap gap) {
-  walk.axis = leaving.passed.z ? 2 : leaving.passed.y ? 1 : 0;
+// Ends a step over the empty span around the traversal's cell, or over that and more, which leads to another cell if that is sure.
+void end_step(const Ray ray, inout Traversal traversal, const Exit leaving, ivec3 cell, const EmptySpan span) {
+  traversal.axis = leaving.passed.z ? 2 : leaving.passed.y ? 1 : 0;
   if (!EXACT) {
-    walk.cell = cell;
-    count_step(walk);
+    traversal.cell = cell;
+    count_step(traversal);
     return;
   }
   bool sure = leaving.sure;
   if (REFINES) {
-    walk.cell = sure ? cell : walk.cell;
+    traversal.cell = sure ? cell : traversal.cell;
     if (!sure)
-      sure = step_compensated(ray, walk, gap);
-    cell = walk.cell;
+      sure = step_compensated(ray, traversal, span);
+    cell = traversal.cell;
   }
-  // A ray of whole numbers has to be settled at nearly each step: after a few, doubles tell these as they come. A loop, as devices of
+  // A ray of whole numbers has to be resolved at nearly each step: after a few, doubles decide these as they come. A loop, as devices of
   // wide vectors run through both ways of a branch, but not through a loop that no lane enters.
-  if (EXACT && IEEE && !REFINES && SETTLES) {
-    walk.cell = sure ? cell : walk.cell;
-    for (bool is_asked = !sure && settlings > FEW_SETTLINGS; is_asked; is_asked = false)
-      sure = step_by_doubles(ray, walk, gap);
-    cell = sure ? walk.cell : cell;
+  if (EXACT && IEEE && !REFINES && EXACT_FALLBACK) {
+    traversal.cell = sure ? cell : traversal.cell;
+    for (bool is_asked = !sure && steps_resolved > FEW_RESOLVED_STEPS; is_asked; is_asked = false)
+      sure = step_by_doubles(ray, traversal, span);
+    cell = sure ? traversal.cell : cell;
   }
-  // A step that is not sure is left open, and all loops end: what settles it stands outside of them, where lanes
+  // A step that is not sure is left pending, and all loops end: what resolves it stands outside of them, where lanes
   // that are sure need not wait for it.
-  walk.cell =
-      KEEPS_CELL || sure ? cell : ~walk.cell; // The next turn may read what is there before it is known if the step is sure.
-  walk.open = sure ? CLOSED : gap.count << 5 | gap.log2_side;
-  count_step(walk);
+  traversal.cell =
+      KEEPS_CELL || sure ? cell : ~traversal.cell; // The next turn may read what is there before it is known if the step is sure.
+  traversal.pending_step = sure ? NO_PENDING_STEP : span.count << 5 | span.log2_side;
+  count_step(traversal);
 }
 
-// Puts a walk whose step was left open outside, by the cell from which that leads.
-void put_outside(inout Walk walk, ivec3 before) { walk.cell = walk.open >= 0 ? ~before : walk.cell; }
+// Puts a traversal whose step was left open outside, by the cell from which that leads.
+void put_outside(inout Traversal traversal, ivec3 before) {
+  traversal.cell = traversal.pending_step >= 0 ? ~before : traversal.cell;
+}
 
-// Steps over the gap around the walk's cell, of which these faces lie ahead.
-void step_over(const Ray ray, inout Walk walk, const Gap gap, real3 face) {
+// Steps over the empty span around the traversal's cell, of which these faces lie ahead.
+void step_over(const Ray ray, inout Traversal traversal, const EmptySpan span, real3 face) {
   Exit leaving = leave(ray, face);
-  ivec3 cell = cell_beyond(ray, walk.cell, face, leaving);
-  end_step(ray, walk, leaving, cell, gap);
+  ivec3 cell = cell_beyond(ray, traversal.cell, face, leaving);
+  end_step(ray, traversal, leaving, cell, span);
 }
 
-// Steps over the gap around the walk's cell.
-void step_over(const Ray ray, inout Walk walk, const Gap gap) {
-  step_over(ray, walk, gap, real3(faces_ahead(ray, walk.cell, gap)));
+// Steps over the empty span around the traversal's cell.
+void step_over(const Ray ray, inout Traversal traversal, const EmptySpan span) {
+  step_over(ray, traversal, span, real3(faces_ahead(ray, traversal.cell, span)));
 }
 
-// Steps over the empty cube of 2^log2_side voxels a side around the walk's cell.
-void step_over(const Ray ray, inout Walk walk, int log2_side) { step_over(ray, walk, Gap(log2_side, 1)); }
+// Steps over the empty cube of 2^log2_side voxels a side around the traversal's cell.
+void step_over(const Ray ray, inout Traversal traversal, int log2_side) { step_over(ray, traversal, EmptySpan(log2_side, 1)); }
 
-// Steps from the walk's voxel, which is empty, to the next.
-void step_over_voxel(const Ray ray, inout Walk walk) {
-  ivec3 before = walk.cell;
-  Exit leaving = leave(ray, real3(walk.cell - ray.ahead));
-  end_step(ray, walk, leaving, walk.cell + mix(ivec3(0), ray.heading, leaving.passed), Gap(0, 1));
+// Steps from the traversal's voxel, which is empty, to the next.
+void step_over_voxel(const Ray ray, inout Traversal traversal) {
+  ivec3 before = traversal.cell;
+  Exit leaving = leave(ray, real3(traversal.cell - ray.ahead));
+  end_step(ray, traversal, leaving, traversal.cell + mix(ivec3(0), ray.heading, leaving.passed), EmptySpan(0, 1));
   if (KEEPS_CELL)
-    put_outside(walk, before);
+    put_outside(traversal, before);
 }

@@ -123,9 +123,9 @@ OUT_OF_LINE uint time_exactly(const Ray ray, int axis, int face) {
 // The same, by doubles. Not sure where what they get wrong could be rounded to another float32.
 uint time_by_doubles(const Ray ray, int axis, int face, out bool sure) {
   double t = abs((double(face) - exactly(ray.given_origin[axis])) / exactly(ray.given_direction[axis]));
-  double doubt = t * double(1.0f / 562949953421312.0f); // Six roundings are 2^-50, and this is 2^-49.
-  float least = float(t - doubt);
-  float most = float(t + doubt);
+  double bound = t * double(1.0f / 562949953421312.0f); // Six roundings are 2^-50, and this is 2^-49.
+  float least = float(t - bound);
+  float most = float(t + bound);
   // By a power of two, as along an axis or a diagonal, nothing is rounded but the result.
   float origin = uintBitsToFloat(ray.given_origin[axis]);
   bool exact = (ray.given_direction[axis] & 0x7fffffu) == 0u && (abs(origin) > 1e-6f || origin == 0.0f);
@@ -144,9 +144,9 @@ uint time_by_pairs(const Ray ray, int axis, int face, out bool sure) {
   precise float gone = first * speed;
   precise float left = ((way.high - gone) - lost_of(gone, first, speed)) + way.low;
   float more = left * inverse;
-  float doubt = abs(first) * (1.0f / 4398046511104.0f);
-  precise float least = first + (more - doubt);
-  precise float most = first + (more + doubt);
+  float bound = abs(first) * (1.0f / 4398046511104.0f);
+  precise float least = first + (more - bound);
+  precise float most = first + (more + bound);
   uint longest =
       max(max(ray.given_direction.x & ~SIGN_BIT, ray.given_direction.y & ~SIGN_BIT), ray.given_direction.z & ~SIGN_BIT);
   float t = abs(least) * uintBitsToFloat(0x7f000000u - (longest & INFINITY_BITS));
@@ -163,7 +163,7 @@ uint time_by_floats(const Ray ray, int axis, int face, out bool sure) {
 }
 
 // The same, as fast as it can be told. Where a device promises little of its arithmetic, integers tell it of every hit: a dispatch that
-// does not settle would leave each of them to one that does.
+// does not resolve would defer each of them to one with it.
 uint crossing_time(const Ray ray, int axis, int face, out bool sure) {
   sure = false;
   uint bits = 0u;
@@ -173,7 +173,7 @@ uint crossing_time(const Ray ray, int axis, int face, out bool sure) {
     bits = time_by_pairs(ray, axis, face, sure);
   else if (!EXACT)
     bits = time_by_floats(ray, axis, face, sure);
-  if ((SETTLES || (EXACT && !IEEE && !NEAREST)) && !sure) {
+  if ((EXACT_FALLBACK || (EXACT && !IEEE && !NEAREST)) && !sure) {
     bits = time_exactly(ray, axis, face);
     sure = true;
   }

@@ -1,5 +1,5 @@
-// A single voxel: the walk has arrived.
-bool intersect_voxel(const Ray ray, inout Walk walk, uint voxel) {
-  walk.voxel = voxel;
+// A single voxel: the traversal has arrived.
+bool intersect_voxel(const Ray ray, inout Traversal traversal, uint voxel) {
+  traversal.voxel = voxel;
   return true;
 }

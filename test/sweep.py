@@ -47,8 +47,8 @@ def sweep_format(voxc, source, form, passes, rays, folder):
     volume, raw, stats = folder / "v.hvx", folder / "v.raw", folder / "v.json"
     run(voxc, "build", form, source, *passes, "-o", volume, "--quiet")
     run(voxc, "export", volume, "-o", raw, "--quiet")
-    walk = [option for option in passes if option.endswith("-sv")]
-    run(voxc, "verify", volume, *walk, "--rays", rays, "--stats", stats, "--quiet")
+    traversal = [option for option in passes if option.endswith("-sv")]
+    run(voxc, "verify", volume, *traversal, "--rays", rays, "--stats", stats, "--quiet")
     return digest(raw), json.loads(stats.read_text())["error"], volume.stat().st_size
 
 

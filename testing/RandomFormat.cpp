@@ -46,14 +46,15 @@ bool isOfScene(const Pass &pass) {
   return std::ranges::find(kOfScene, pass.choice.kind) != kOfScene.end();
 }
 
-/// A pass that chooses a walk, or null for the walk that formats have without one: each as likely. strip-walk
-/// is none of them, as it takes back what the others chose, nor is shared-stack, which goes with each.
-const Pass *randomWalk(std::mt19937 &random) {
-  std::vector<const Pass *> walks{nullptr};
+/// A pass that chooses a traversal, or null for the traversal that formats have without one: each as likely.
+/// strip-traversal is none of them, as it takes back what the others chose, nor is shared-stack, which goes
+/// with each.
+const Pass *randomTraversal(std::mt19937 &random) {
+  std::vector<const Pass *> traversals{nullptr};
   for (const Pass &pass : passes())
-    if (pass.effect == AttributeEffect::Walk && pass.choice.kind)
-      walks.push_back(&pass);
-  return walks[static_cast<std::size_t>(pick(random, 0, static_cast<int>(walks.size()) - 1))];
+    if (pass.effect == AttributeEffect::Traversal && pass.choice.kind)
+      traversals.push_back(&pass);
+  return traversals[static_cast<std::size_t>(pick(random, 0, static_cast<int>(traversals.size()) - 1))];
 }
 
 } // namespace
@@ -83,7 +84,7 @@ Format withValuesApart(const Format &format) {
 }
 
 Format withRandomPasses(std::mt19937 &random, Format format) {
-  const int log2Side = longest(format.log2Extent());
+  const int log2Side = maxComponent(format.log2Extent());
   const auto run = [&](const Pass &pass) {
     Diagnostics diagnostics; // What does not apply leaves the format as it is.
     pass.run(format, diagnostics);
@@ -104,8 +105,8 @@ Format withRandomPasses(std::mt19937 &random, Format format) {
     run(*findPass("octant-counts"));
   if (random() % 2 != 0)
     run(*findPass("octant-masks"));
-  if (const Pass *walk = randomWalk(random))
-    run(*walk);
+  if (const Pass *traversal = randomTraversal(random))
+    run(*traversal);
   if (random() % 2 != 0)
     run(*findPass("shared-stack"));
   return format;

@@ -1,4 +1,4 @@
-// voxc accuracy: speed against error of every precision, walk and device, on the same rays.
+// voxc accuracy: speed against error of every precision, traversal and device, on the same rays.
 #include "accuracy/Findings.h"
 
 #include "common/CameraOptions.h"
@@ -37,8 +37,8 @@ private:
   Expected<void> checkUsage() const;
   Expected<Rays> loadRays(const VolumeInfo &volume) const;
   Expected<Findings> compete(const Volume &volume, const Rays &rays, const Progress &progress);
-  Expected<std::vector<std::unique_ptr<Contestant>>> prepareAll(const std::vector<Variant> &variants,
-                                                                const Volume &volume) const;
+  Expected<std::vector<std::unique_ptr<VariantCandidate>>> prepareAll(const std::vector<Variant> &variants,
+                                                                      const Volume &volume) const;
   Expected<std::vector<LodFinding>> findLods(const Variant &variant, const Volume &volume, const Rays &rays,
                                              const Progress &progress) const;
   Expected<void> findSeries(const std::vector<Variant> &variants, const Volume &volume, const Oracle &oracle,
@@ -50,7 +50,7 @@ private:
   std::string raysPath_;
   CameraOptions camera_;
   std::string folder_;
-  VariantChoice choice_{precisions(), walksOfTrees(), {""}};
+  VariantChoice choice_{precisions(), traversalsOfTrees(), {""}};
   std::vector<double> lods_;
   unsigned rounds_ = 5;
   std::size_t check_ = 20000;
@@ -78,7 +78,9 @@ void AccuracyCommand::declareChoice(const CommandLine &command) {
       .takes("N")
       .between(1u, 1024u);
   declareValues(command, "--precisions", choice_.precisions, "Precisions to compare, separated by commas");
-  declareValues(command, "--walks", choice_.walks, "Walks of trees to compare, separated by commas");
+  declareValues(command, "--traversals", choice_.traversals,
+                "Traversals of trees to compare, separated by commas");
+  command.addFormer("--traversals", "--traversals");
   command
       .add("--lods", lods_,
            "Sizes in pixels at which to stop early, as --lod of voxc render does, with the "
@@ -144,16 +146,16 @@ Expected<Rays> AccuracyCommand::loadRays(const VolumeInfo &volume) const {
   return rays;
 }
 
-Expected<std::vector<std::unique_ptr<Contestant>>>
+Expected<std::vector<std::unique_ptr<VariantCandidate>>>
 AccuracyCommand::prepareAll(const std::vector<Variant> &variants, const Volume &volume) const {
-  std::vector<std::unique_ptr<Contestant>> contestants;
+  std::vector<std::unique_ptr<VariantCandidate>> candidates;
   for (const Variant &variant : variants) {
-    Expected<std::unique_ptr<Contestant>> contestant = prepare(variant, volume, choice_.threads);
-    if (!contestant)
-      return contestant.error();
-    contestants.push_back(std::move(*contestant));
+    Expected<std::unique_ptr<VariantCandidate>> candidate = prepare(variant, volume, choice_.threads);
+    if (!candidate)
+      return candidate.error();
+    candidates.push_back(std::move(*candidate));
   }
-  return contestants;
+  return candidates;
 }
 
 Expected<std::vector<LodFinding>> AccuracyCommand::findLods(const Variant &variant, const Volume &volume,
@@ -162,22 +164,22 @@ Expected<std::vector<LodFinding>> AccuracyCommand::findLods(const Variant &varia
   std::vector<Variant> variants{variant};
   for (const double pixels : lods_)
     variants.push_back(withLod(variant, pixels));
-  auto contestants = prepareAll(variants, volume);
-  if (!contestants)
-    return contestants.error();
-  for (const auto &contestant : *contestants)
-    contestant->spread = static_cast<float>(contestant->variant.lod * pixelSpread(rays.camera));
-  if (Expected<void> traced = traceInTurn(*contestants, rays.rays, rounds_, progress); !traced)
+  auto candidates = prepareAll(variants, volume);
+  if (!candidates)
+    return candidates.error();
+  for (const auto &candidate : *candidates)
+    candidate->spread = static_cast<float>(candidate->variant.lod * pixelSpread(rays.camera));
+  if (Expected<void> traced = traceInTurn(*candidates, rays.rays, rounds_, progress); !traced)
     return traced.error();
 
-  const auto pictureOf = [&](const Contestant &contestant) {
-    return shade(rays.rays, contestant.hits, rays.camera.width, rays.camera.height);
+  const auto pictureOf = [&](const VariantCandidate &candidate) {
+    return shade(rays.rays, candidate.hits, rays.camera.width, rays.camera.height);
   };
-  const Contestant &full = *contestants->front();
+  const VariantCandidate &full = *candidates->front();
   const Picture reference = pictureOf(full);
   std::vector<LodFinding> findings;
-  for (std::size_t i = 1; i < contestants->size(); ++i) {
-    const Contestant &coarse = *(*contestants)[i];
+  for (std::size_t i = 1; i < candidates->size(); ++i) {
+    const VariantCandidate &coarse = *(*candidates)[i];
     findings.push_back(
         {coarse.variant.lod, mraysPerCpuSecond(coarse), median(full.cpuSeconds) / median(coarse.cpuSeconds),
          areEqual(full.cpuSeconds, coarse.cpuSeconds), difference(reference, pictureOf(coarse))});
@@ -190,16 +192,16 @@ Expected<Findings> AccuracyCommand::compete(const Volume &volume, const Rays &ra
   Findings findings;
   findings.rounds = rounds_;
   const std::vector<Variant> variants = makeVariants(volume.format(), choice_);
-  auto contestants = prepareAll(variants, volume);
-  if (!contestants)
-    return contestants.error();
-  if (Expected<void> traced = traceInTurn(*contestants, rays.rays, rounds_, progress); !traced)
+  auto candidates = prepareAll(variants, volume);
+  if (!candidates)
+    return candidates.error();
+  if (Expected<void> traced = traceInTurn(*candidates, rays.rays, rounds_, progress); !traced)
     return traced.error();
   const Expected<Oracle> oracle = Oracle::of(volume, progress);
   if (!oracle)
     return oracle.error();
-  check(*contestants, *oracle, rays.rays, check_);
-  findings.contestants = std::move(*contestants);
+  check(*candidates, *oracle, rays.rays, check_);
+  findings.candidates = std::move(*candidates);
 
   if (!lods_.empty()) {
     auto lods = findLods(variants.front(), volume, rays, progress);
@@ -217,10 +219,10 @@ Expected<void> AccuracyCommand::findSeries(const std::vector<Variant> &variants,
                                            const Oracle &oracle, const Progress &progress,
                                            Findings &findings) const {
   const SeriesOptions options{seriesRays_, rounds_, choice_.threads, progress};
-  const auto contestants = prepareAll(variants, volume);
-  if (!contestants)
-    return contestants.error();
-  auto distances = distanceSeries(*contestants, oracle, volume.info().extent, options);
+  const auto candidates = prepareAll(variants, volume);
+  if (!candidates)
+    return candidates.error();
+  auto distances = distanceSeries(*candidates, oracle, volume.info().extent, options);
   if (!distances)
     return distances.error();
   auto resolutions = resolutionSeries(choice_, options);
@@ -244,7 +246,7 @@ Expected<void> AccuracyCommand::tell(const Volume &volume, const Findings &findi
     printTables(findings);
   Json figures{{"schema", "voxc accuracy 1"}};
   addVolumeFigures(figures, volume);
-  figures["rays"] = findings.contestants[0]->hits.size();
+  figures["rays"] = findings.candidates[0]->hits.size();
   addFindings(figures, findings);
   if (!folder_.empty()) {
     const std::string path = (std::filesystem::path(folder_) / "accuracy.json").string();

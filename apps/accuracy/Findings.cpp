@@ -10,9 +10,9 @@
 namespace voxc::tool {
 namespace {
 
-/// The first contestant's time over this one's.
-double ratioTo(const Contestant &first, const Contestant &contestant) {
-  const double seconds = median(contestant.cpuSeconds);
+/// The first candidate's time over this one's.
+double ratioTo(const VariantCandidate &first, const VariantCandidate &candidate) {
+  const double seconds = median(candidate.cpuSeconds);
   return seconds > 0 ? median(first.cpuSeconds) / seconds : 0;
 }
 
@@ -21,20 +21,19 @@ void printVariants(const Findings &findings) {
               "boundary", "max_dt", "rms_dt", "max_ulp", "Mrays/CPU s", "spread", "ratio");
   const std::vector<std::string> names = labels(findings);
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const Contestant &contestant = *findings.contestants[i];
-    const ErrorFigures &error = contestant.error;
-    const bool equal = areEqual(findings.contestants[0]->cpuSeconds, contestant.cpuSeconds);
+    const VariantCandidate &candidate = *findings.candidates[i];
+    const ErrorFigures &error = candidate.error;
+    const bool equal = areEqual(findings.candidates[0]->cpuSeconds, candidate.cpuSeconds);
     std::printf("%-28s %7" PRIu64 " %6" PRIu64 " %6" PRIu64 " %8" PRIu64
                 " %9.3g %9.3g %8.3g %11.4g %6.1f%% %6.3f%s\n",
                 names[i].c_str(), error.missed, error.ghost, error.wrong, error.boundary, error.maxDt,
-                error.rmsDt, error.maxUlpDt, mraysPerCpuSecond(contestant),
-                100 * spread(contestant.cpuSeconds), ratioTo(*findings.contestants[0], contestant),
-                equal ? " =" : "");
+                error.rmsDt, error.maxUlpDt, mraysPerCpuSecond(candidate), 100 * spread(candidate.cpuSeconds),
+                ratioTo(*findings.candidates[0], candidate), equal ? " =" : "");
   }
   std::printf("errors on %" PRIu64
               " of %zu rays; speeds are medians of %u rounds in turn; = as fast as the first within "
               "the spread\n",
-              findings.contestants[0]->error.rays, findings.contestants[0]->hits.size(), findings.rounds);
+              findings.candidates[0]->error.rays, findings.candidates[0]->hits.size(), findings.rounds);
 }
 
 void printLods(const std::vector<LodFinding> &lods) {
@@ -60,20 +59,20 @@ void printSeries(const char *name, const std::vector<SeriesPoint> &series,
   std::printf("\n");
 }
 
-Json variantJson(const Contestant &contestant, const Contestant &first, const std::string &label) {
-  Json json{{"label", label}, {"precision", contestant.variant.precision}};
-  if (!contestant.variant.walk.empty())
-    json["walk"] = contestant.variant.walk;
-  json.update(contestant.setup);
-  json["first_dispatch_seconds"] = contestant.firstDispatchSeconds;
-  json["error"] = errorJson(contestant.error);
-  json["cpu_seconds"] = repeatsJson(contestant.cpuSeconds);
-  json["seconds"] = repeatsJson(contestant.seconds);
-  if (!contestant.deviceSeconds.empty())
-    json["device_seconds"] = repeatsJson(contestant.deviceSeconds);
-  json["mrays_per_cpu_s"] = mraysPerCpuSecond(contestant);
-  json["ratio"] = ratioTo(first, contestant);
-  json["equal"] = areEqual(first.cpuSeconds, contestant.cpuSeconds);
+Json variantJson(const VariantCandidate &candidate, const VariantCandidate &first, const std::string &label) {
+  Json json{{"label", label}, {"precision", candidate.variant.precision}};
+  if (!candidate.variant.traversal.empty())
+    json["traversal"] = candidate.variant.traversal;
+  json.update(candidate.setup);
+  json["first_dispatch_seconds"] = candidate.firstDispatchSeconds;
+  json["error"] = errorJson(candidate.error);
+  json["cpu_seconds"] = repeatsJson(candidate.cpuSeconds);
+  json["seconds"] = repeatsJson(candidate.seconds);
+  if (!candidate.deviceSeconds.empty())
+    json["device_seconds"] = repeatsJson(candidate.deviceSeconds);
+  json["mrays_per_cpu_s"] = mraysPerCpuSecond(candidate);
+  json["ratio"] = ratioTo(first, candidate);
+  json["equal"] = areEqual(first.cpuSeconds, candidate.cpuSeconds);
   return json;
 }
 
@@ -102,12 +101,12 @@ Json seriesJson(const std::vector<SeriesPoint> &series) {
 
 std::vector<std::string> labels(const Findings &findings) {
   bool severalDevices = false;
-  for (const auto &contestant : findings.contestants)
-    severalDevices |= contestant->variant.device != findings.contestants[0]->variant.device;
+  for (const auto &candidate : findings.candidates)
+    severalDevices |= candidate->variant.device != findings.candidates[0]->variant.device;
   std::vector<std::string> names;
-  names.reserve(findings.contestants.size());
-  for (const auto &contestant : findings.contestants)
-    names.push_back(contestant->variant.label(severalDevices));
+  names.reserve(findings.candidates.size());
+  for (const auto &candidate : findings.candidates)
+    names.push_back(candidate->variant.label(severalDevices));
   return names;
 }
 
@@ -126,7 +125,7 @@ void addFindings(Json &figures, const Findings &findings) {
   figures["rounds"] = findings.rounds;
   figures["variants"] = Json::array();
   for (std::size_t i = 0; i < names.size(); ++i)
-    figures["variants"].push_back(variantJson(*findings.contestants[i], *findings.contestants[0], names[i]));
+    figures["variants"].push_back(variantJson(*findings.candidates[i], *findings.candidates[0], names[i]));
   for (const LodFinding &lod : findings.lods)
     figures["lods"].push_back(lodJson(lod));
   if (!findings.distances.empty())

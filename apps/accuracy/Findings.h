@@ -21,7 +21,7 @@ struct LodFinding {
 };
 
 struct Findings {
-  std::vector<std::unique_ptr<Contestant>> contestants;
+  std::vector<std::unique_ptr<VariantCandidate>> candidates;
   std::vector<LodFinding> lods;
   std::vector<SeriesPoint> distances;
   std::vector<SeriesPoint> resolutions;
@@ -34,7 +34,7 @@ void printTables(const Findings &findings);
 /// The findings as `variants`, `lods` and `series`.
 void addFindings(Json &figures, const Findings &findings);
 
-/// What each contestant is called.
+/// What each candidate is called.
 std::vector<std::string> labels(const Findings &findings);
 
 } // namespace voxc::tool

@@ -65,15 +65,15 @@ Ray aimedRay(Random &random, const Point &centre, double radius, const Point &ta
   return ray;
 }
 
-Expected<SeriesPoint> measure(double at, std::span<const std::unique_ptr<Contestant>> contestants,
+Expected<SeriesPoint> measure(double at, std::span<const std::unique_ptr<VariantCandidate>> candidates,
                               const Oracle &oracle, const std::vector<Ray> &rays,
                               const SeriesOptions &options) {
-  if (Expected<void> traced = traceInTurn(contestants, rays, options.rounds, options.progress); !traced)
+  if (Expected<void> traced = traceInTurn(candidates, rays, options.rounds, options.progress); !traced)
     return traced.error();
-  check(contestants, oracle, rays, rays.size());
+  check(candidates, oracle, rays, rays.size());
   SeriesPoint point{at, {}};
-  for (const auto &contestant : contestants)
-    point.scores.push_back({mraysPerCpuSecond(*contestant), contestant->error});
+  for (const auto &candidate : candidates)
+    point.scores.push_back({mraysPerCpuSecond(*candidate), candidate->error});
   return point;
 }
 
@@ -126,21 +126,21 @@ Expected<SeriesPoint> measureResolution(int log2Side, const VariantChoice &choic
   const Expected<Oracle> oracle = Oracle::of(built->volume);
   if (!oracle)
     return oracle.error();
-  std::vector<std::unique_ptr<Contestant>> contestants;
+  std::vector<std::unique_ptr<VariantCandidate>> candidates;
   for (const Variant &variant : makeVariants(format, choice)) {
-    Expected<std::unique_ptr<Contestant>> contestant = prepare(variant, built->volume, options.threads);
-    if (!contestant)
-      return contestant.error();
-    contestants.push_back(std::move(*contestant));
+    Expected<std::unique_ptr<VariantCandidate>> candidate = prepare(variant, built->volume, options.threads);
+    if (!candidate)
+      return candidate.error();
+    candidates.push_back(std::move(*candidate));
   }
-  return measure(side, contestants, *oracle, raysToVoxels(log2Side, cells, options.rays), options);
+  return measure(side, candidates, *oracle, raysToVoxels(log2Side, cells, options.rays), options);
 }
 
 } // namespace
 
-Expected<std::vector<SeriesPoint>> distanceSeries(std::span<const std::unique_ptr<Contestant>> contestants,
-                                                  const Oracle &oracle, Int3 extent,
-                                                  const SeriesOptions &options) {
+Expected<std::vector<SeriesPoint>>
+distanceSeries(std::span<const std::unique_ptr<VariantCandidate>> candidates, const Oracle &oracle,
+               Int3 extent, const SeriesOptions &options) {
   const Point size = {double(extent.x), double(extent.y), double(extent.z)};
   const Point centre = {size[0] / 2, size[1] / 2, size[2] / 2};
   const double radius = std::hypot(centre[0], centre[1], centre[2]);
@@ -152,7 +152,7 @@ Expected<std::vector<SeriesPoint>> distanceSeries(std::span<const std::unique_pt
     rays.reserve(options.rays);
     for (std::size_t i = 0; i < options.rays; ++i)
       rays.push_back(aimedRay(random, centre, radius + distance, random.pointIn({}, size)));
-    Expected<SeriesPoint> point = measure(distance, contestants, oracle, rays, options);
+    Expected<SeriesPoint> point = measure(distance, candidates, oracle, rays, options);
     if (!point)
       return point.error();
     series.push_back(std::move(*point));

@@ -28,10 +28,10 @@ struct SeriesOptions {
 };
 
 /// Rays from 1, 10, ... 10^9 voxels outside the sphere around a volume, from all sides to random points
-/// inside. The contestants' own findings are replaced.
-Expected<std::vector<SeriesPoint>> distanceSeries(std::span<const std::unique_ptr<Contestant>> contestants,
-                                                  const Oracle &oracle, Int3 extent,
-                                                  const SeriesOptions &options);
+/// inside. The candidates' own findings are replaced.
+Expected<std::vector<SeriesPoint>>
+distanceSeries(std::span<const std::unique_ptr<VariantCandidate>> candidates, const Oracle &oracle,
+               Int3 extent, const SeriesOptions &options);
 
 /// Volumes of 2^4, 2^5, ... 2^16 voxels an axis in the format "R(3^3) G(n - 3)", each with the same number of
 /// single voxels strewn over it, and rays from the sphere around it to random points of these.

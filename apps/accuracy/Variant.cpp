@@ -11,26 +11,26 @@ bool hasTrees(const Format &format) {
   return std::ranges::any_of(format.levels, [](const Level &level) { return level.kind->isTree(); });
 }
 
-Variant makeVariant(const Format &format, const std::string &precision, const std::string &walk,
+Variant makeVariant(const Format &format, const std::string &precision, const std::string &traversal,
                     const std::string &device) {
-  Variant variant{precision, walk, device, 0, format};
+  Variant variant{precision, traversal, device, 0, format};
   askForPrecision(variant.format, precision);
-  if (!walk.empty())
+  if (!traversal.empty())
     for (Level &level : variant.format.levels)
-      level.setAttribute(kWalkAttribute, walk);
+      level.setAttribute(kTraversalAttribute, traversal);
   return variant;
 }
 
 } // namespace
 
-std::vector<std::string> walksOfTrees() {
-  return {kWalkAttribute.values.begin(), kWalkAttribute.values.end()};
+std::vector<std::string> traversalsOfTrees() {
+  return {kTraversalAttribute.values.begin(), kTraversalAttribute.values.end()};
 }
 
 std::string Variant::label(bool severalDevices) const {
   std::string text = precision;
-  if (!walk.empty())
-    text += " " + walk;
+  if (!traversal.empty())
+    text += " " + traversal;
   if (severalDevices && !device.empty())
     text += " " + device;
   if (lod > 0) {
@@ -42,12 +42,13 @@ std::string Variant::label(bool severalDevices) const {
 }
 
 std::vector<Variant> makeVariants(const Format &format, const VariantChoice &choice) {
-  const std::vector<std::string> walks = hasTrees(format) ? choice.walks : std::vector<std::string>{""};
+  const std::vector<std::string> traversals =
+      hasTrees(format) ? choice.traversals : std::vector<std::string>{""};
   std::vector<Variant> variants;
   for (const std::string &device : choice.devices)
     for (const std::string &precision : choice.precisions)
-      for (const std::string &walk : walks)
-        variants.push_back(makeVariant(format, precision, walk, device));
+      for (const std::string &traversal : traversals)
+        variants.push_back(makeVariant(format, precision, traversal, device));
   return variants;
 }
 
@@ -58,77 +59,77 @@ Variant withLod(const Variant &variant, double pixels) {
   return coarse;
 }
 
-Expected<std::unique_ptr<Contestant>> prepare(const Variant &variant, const Volume &volume, unsigned threads,
-                                              const std::string &order) {
-  auto contestant = std::make_unique<Contestant>();
-  contestant->variant = variant;
-  contestant->tracing.choose(variant.device, threads);
-  contestant->tracing.chooseOrder(order);
-  if (Expected<void> opened = contestant->tracing.openDevice({.quiet = true}); !opened)
+Expected<std::unique_ptr<VariantCandidate>> prepare(const Variant &variant, const Volume &volume,
+                                                    unsigned threads, const std::string &order) {
+  auto candidate = std::make_unique<VariantCandidate>();
+  candidate->variant = variant;
+  candidate->tracing.choose(variant.device, threads);
+  candidate->tracing.chooseOrder(order);
+  if (Expected<void> opened = candidate->tracing.openDevice({.quiet = true}); !opened)
     return opened.error();
-  if (Expected<void> prepared = contestant->tracing.prepare(volume, variant.format, contestant->setup);
+  if (Expected<void> prepared = candidate->tracing.prepare(volume, variant.format, candidate->setup);
       !prepared)
     return prepared.error();
-  return contestant;
+  return candidate;
 }
 
-Expected<void> traceOnce(Contestant &contestant, std::span<const Ray> rays, bool counted,
+Expected<void> traceOnce(VariantCandidate &candidate, std::span<const Ray> rays, bool counted,
                          const Progress &progress) {
   Json figures;
-  contestant.hits.resize(rays.size());
-  const TraceOptions options{.spread = contestant.spread, .progress = progress.silent()};
-  if (Expected<void> traced = contestant.tracing.trace(rays, contestant.hits, options, figures); !traced)
+  candidate.hits.resize(rays.size());
+  const TraceOptions options{.spread = candidate.spread, .progress = progress.silent()};
+  if (Expected<void> traced = candidate.tracing.trace(rays, candidate.hits, options, figures); !traced)
     return traced;
-  contestant.order = figures["order"];
+  candidate.order = figures["order"];
   if (!counted) {
-    contestant.setup["device"] = figures["device"];
-    contestant.firstDispatchSeconds = figures["first_dispatch_seconds"];
+    candidate.setup["device"] = figures["device"];
+    candidate.firstDispatchSeconds = figures["first_dispatch_seconds"];
     return {};
   }
-  contestant.cpuSeconds.push_back(figures["cpu_seconds"]);
-  contestant.seconds.push_back(figures["seconds"]);
+  candidate.cpuSeconds.push_back(figures["cpu_seconds"]);
+  candidate.seconds.push_back(figures["seconds"]);
   if (figures.contains("device_seconds"))
-    contestant.deviceSeconds.push_back(figures["device_seconds"]);
+    candidate.deviceSeconds.push_back(figures["device_seconds"]);
   return {};
 }
 
-Expected<void> traceInTurn(std::span<const std::unique_ptr<Contestant>> contestants,
+Expected<void> traceInTurn(std::span<const std::unique_ptr<VariantCandidate>> candidates,
                            std::span<const Ray> rays, unsigned rounds, const Progress &progress) {
-  for (const auto &contestant : contestants) {
-    contestant->cpuSeconds.clear();
-    contestant->seconds.clear();
-    contestant->deviceSeconds.clear();
+  for (const auto &candidate : candidates) {
+    candidate->cpuSeconds.clear();
+    candidate->seconds.clear();
+    candidate->deviceSeconds.clear();
   }
   for (unsigned round = 0; round <= rounds; ++round)
-    for (std::size_t i = 0; i < contestants.size(); ++i) {
-      const double done = static_cast<double>(round * contestants.size() + i);
-      progress.at("trace", done / static_cast<double>((rounds + 1) * contestants.size()), 0);
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      const double done = static_cast<double>(round * candidates.size() + i);
+      progress.at("trace", done / static_cast<double>((rounds + 1) * candidates.size()), 0);
       if (progress.stopped())
         return Error::interrupted();
-      if (Expected<void> traced = traceOnce(*contestants[i], rays, round > 0, progress); !traced)
+      if (Expected<void> traced = traceOnce(*candidates[i], rays, round > 0, progress); !traced)
         return traced;
     }
   return {};
 }
 
-void check(std::span<const std::unique_ptr<Contestant>> contestants, const Oracle &oracle,
+void check(std::span<const std::unique_ptr<VariantCandidate>> candidates, const Oracle &oracle,
            std::span<const Ray> rays, std::size_t sample) {
   const std::size_t count = std::min(sample, rays.size());
   std::vector<Ray> sampledRays(count);
   std::vector<Hit> sampledHits(count);
-  for (const auto &contestant : contestants) {
+  for (const auto &candidate : candidates) {
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t at = i * rays.size() / count;
       sampledRays[i] = rays[at];
-      sampledHits[i] = contestant->hits[at];
+      sampledHits[i] = candidate->hits[at];
     }
-    contestant->error = compare(oracle, sampledRays, sampledHits);
+    candidate->error = compare(oracle, sampledRays, sampledHits);
   }
 }
 
-double mraysPerCpuSecond(const Contestant &contestant) {
-  const double seconds = median(contestant.cpuSeconds);
-  return seconds > 0 ? static_cast<double>(contestant.hits.size()) / seconds * 1e-6 : 0;
+double mraysPerCpuSecond(const VariantCandidate &candidate) {
+  const double seconds = median(candidate.cpuSeconds);
+  return seconds > 0 ? static_cast<double>(candidate.hits.size()) / seconds * 1e-6 : 0;
 }
 
 double errorsPerMillion(const ErrorFigures &error) {

@@ -14,7 +14,7 @@
 
 namespace voxc::tool::cluster {
 
-/// The cubes of voxels [begin, end), in Morton order, that one part has, and what they are foretold to cost.
+/// The cubes of voxels [begin, end), in Morton order, that one part has, and what they are predicted to cost.
 struct CubeRange {
   std::uint64_t begin = 0;
   std::uint64_t end = 0;
@@ -38,7 +38,7 @@ inline constexpr std::uint64_t kLeastFanIn = 2;
 inline constexpr std::uint64_t kMostFanIn = 512;
 
 struct BuildPlan {
-  Format format;                ///< As it is stored, without walks.
+  Format format;                ///< As it is stored, without traversals.
   std::string input;            ///< As a command takes it, files by their absolute paths.
   std::vector<InputFile> files; ///< All that the input is read from.
   std::string volume;    ///< The file that is written in the end: absolute, or from the folder of the plan.

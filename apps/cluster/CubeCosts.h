@@ -1,4 +1,4 @@
-// The counting pass of a build plan: what each cube of an input is foretold to cost.
+// The counting pass of a build plan: what each cube of an input is predicted to cost.
 #pragma once
 
 #include "voxc/Input/Input.h"
@@ -18,11 +18,11 @@ struct CubeCosts {
   std::uint64_t records = 0; ///< and the triangles in all of them.
 };
 
-/// Foretells what it costs to build the cubes of 2^log2Side voxels a side of an opened input, or larger ones
+/// Predicts what it costs to build the cubes of 2^log2Side voxels a side of an opened input, or larger ones
 /// where these would be more than 2^21: by its voxels, and by the triangles that are gone through to make
 /// them. The voxels of a mesh are estimated from an eighth of its resolution, at which `name` is opened again
 /// with `options`; those of other inputs are counted. Errors: those of opening and reading.
-Expected<CubeCosts> foretellCosts(const Input &input, const std::string &name, const InputOptions &options,
-                                  int log2Side);
+Expected<CubeCosts> predictCosts(const Input &input, const std::string &name, const InputOptions &options,
+                                 int log2Side);
 
 } // namespace voxc::tool::cluster

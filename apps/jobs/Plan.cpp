@@ -1,6 +1,6 @@
-// voxc plan: cuts the building of a volume into parts of equal foretold cost.
+// voxc plan: cuts the building of a volume into parts of equal predicted cost.
 #include "bench/InputContent.h"
-#include "building/Building.h"
+#include "building/BuildSession.h"
 #include "cluster/BuildPlan.h"
 #include "cluster/CubeCosts.h"
 #include "cluster/EvenCut.h"
@@ -89,7 +89,7 @@ private:
     plan.cubes = partNumbersOf(source, plan.format);
     if (!source.view())
       return Error::input("this input can be read by one process only; voxc build builds it");
-    auto costs = foretellCosts(opened->input, building_.input(), opened->options, plan.cubes.log2Side);
+    auto costs = predictCosts(opened->input, building_.input(), opened->options, plan.cubes.log2Side);
     if (!costs)
       return costs.error();
     cut(plan, *costs, figures);
@@ -132,13 +132,13 @@ private:
     figures["parts"] = plan.ranges.size();
     figures["merges"] = plan.tree().merges();
     figures["cubes"] = plan.cubes.count;
-    figures["foretold_voxels"] = costs.voxels;
+    figures["predicted_voxels"] = costs.voxels;
     figures["records"] = costs.records;
     figures["longest_part"] =
         sum == 0 ? 1.0 : static_cast<double>(most * plan.ranges.size()) / static_cast<double>(sum);
   }
 
-  Building building_;
+  BuildSession building_;
   unsigned parts_ = 64;
   std::uint64_t fanIn_ = kDefaultFanIn;
   std::string volume_;

@@ -5,7 +5,7 @@
 #include "search/SearchReport.h"
 
 #include "bench/Machine.h"
-#include "choosing/KeptWeights.h"
+#include "choosing/SavedWeights.h"
 #include "common/Files.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
@@ -26,7 +26,7 @@ namespace {
 /// Volumes of more than so many times the bytes of the smallest are not looked for.
 constexpr double kSizesOfUse = 64;
 
-/// Of the time that is left when the input was read, that rating formats may take, and replaying rays again,
+/// Of the time that is left when the input was read, that rating formats may take, and simulating rays again,
 constexpr double kExploringShare = 0.25;
 /// and both together at most, whatever the formats are that it begins with: less where few seconds are left.
 constexpr double kMostExploring = 0.6, kLeastExploring = 0.25, kSecondsOfMeasuring = 12;
@@ -55,8 +55,8 @@ private:
     return error.kind == ErrorKind::Interrupted && !progress_.stopped();
   }
   Error tooShort(const std::string &meanwhile) const;
-  Explored foretell(const Scene &scene, const std::vector<RaySet> &rays, const SpeedModel &model,
-                    std::vector<Candidate> seeds) const;
+  Explored predict(const Scene &scene, const std::vector<RaySet> &rays, const SpeedModel &model,
+                   std::vector<Candidate> seeds) const;
   Expected<void> search(Scene &scene, Json &figures);
   Expected<void> measureElsewhere(const Explored &explored, const std::vector<Candidate> &seeds,
                                   bench::SweepAxes &axes, Json &figures);
@@ -66,8 +66,8 @@ private:
   struct Told {
     const bench::SweepAxes &axes;
     std::size_t rated; ///< Formats.
-    const Race &race;
-    const Contest &contest;
+    const Acquisition &acquisition;
+    const SearchLoop &loop;
   };
   Expected<void> tell(const Told &told, Json &figures);
   void makePage() const;
@@ -85,19 +85,20 @@ private:
 
 /// The budget ended before anything was measured.
 Error SearchCommand::tooShort(const std::string &meanwhile) const {
-  constexpr double kUsual[] = {1,  2,   5,   10,  15,  20,   30,   45,   60,
-                               90, 120, 180, 300, 600, 1200, 1800, 3600, 7200};
+  constexpr double kRoundBudgets[] = {1,  2,   5,   10,  15,  20,   30,   45,   60,
+                                      90, 120, 180, 300, 600, 1200, 1800, 3600, 7200};
   // What comes after takes about as long again, and the machine may be busy.
   constexpr double kTimes = 3;
-  const auto enough = std::ranges::lower_bound(kUsual, kTimes * std::max(watch_.seconds(), options_.budget));
-  const double seconds = enough == std::end(kUsual) ? kTimes * options_.budget : *enough;
+  const auto enough =
+      std::ranges::lower_bound(kRoundBudgets, kTimes * std::max(watch_.seconds(), options_.budget));
+  const double seconds = enough == std::end(kRoundBudgets) ? kTimes * options_.budget : *enough;
   return Error::usage("the budget ended while " + meanwhile + ", before one format was measured; about " +
                       std::to_string(std::lround(seconds)) + "s is the least for this input (--budget)");
 }
 
-Explored SearchCommand::foretell(const Scene &scene, const std::vector<RaySet> &rays, const SpeedModel &model,
-                                 std::vector<Candidate> seeds) const {
-  Rater rater(scene.priced());
+Explored SearchCommand::predict(const Scene &scene, const std::vector<RaySet> &rays, const SpeedModel &model,
+                                std::vector<Candidate> seeds) const {
+  FormatPredictor predictor(scene.priced());
   ExploreOptions options = options_.explore;
   options.seconds = kExploringShare * std::max(budget_.left(), 0.0);
   Progress progress = bounded();
@@ -116,23 +117,23 @@ Explored SearchCommand::foretell(const Scene &scene, const std::vector<RaySet> &
     std::erase_if(seeds,
                   [&](const Candidate &seed) { return seed.format.levels.size() > options.maxLevels; });
   }
-  return explore(rater, std::move(seeds), scene.traits, rays, model, options_.wish, options, progress);
+  return explore(predictor, std::move(seeds), scene.traits, rays, model, options_.wish, options, progress);
 }
 
 Expected<void> SearchCommand::tell(const Told &told, Json &figures) {
   const auto cells = bench::readRecords(options_.folder);
   if (!cells)
     return cells.error();
-  const bench::SearchVerdict verdict = verdictOf(*cells, told.contest, options_.objective());
+  const bench::SearchVerdict verdict = verdictOf(*cells, told.loop, options_.objective());
   const SearchResult result{.input = options_.input,
                             .arguments = options_.inputArguments,
                             .device = told.axes.devices.front().part.name,
                             .rays = namesOf(told.axes.models.front().rays),
                             .rated = told.rated,
-                            .kept = told.race.formats().size(),
+                            .kept = told.acquisition.formats().size(),
                             .seconds = watch_.seconds(),
-                            .race = told.race,
-                            .contest = told.contest,
+                            .acquisition = told.acquisition,
+                            .loop = told.loop,
                             .verdict = verdict};
   bar_->clear();
   addSearchFigures(figures, result);
@@ -160,42 +161,43 @@ void SearchCommand::makePage() const {
 
 Expected<void> SearchCommand::measure(Scene &scene, bench::SweepAxes &axes, Explored explored,
                                       const SpeedModel &model, Json &figures) {
-  const auto smallest = std::ranges::min_element(explored.formats, {}, &RatedFormat::bytes);
+  const auto smallest = std::ranges::min_element(explored.formats, {}, &PredictedFormat::bytes);
   const double mostBytes = kSizesOfUse * static_cast<double>(smallest->bytes());
-  Race race(std::move(explored.formats), model, {.mostBytes = mostBytes, .leastSpeed = options_.leastSpeed});
+  Acquisition acquisition(std::move(explored.formats), model,
+                          {.mostBytes = mostBytes, .leastSpeed = options_.leastSpeed});
   auto writer = bench::RecordWriter::open(options_.folder + "/" + recordsName_);
   if (!writer)
     return writer.error();
   if (!options_.shares.share())
     if (Expected<void> joined = bench::joinShares(options_.folder, "", *writer); !joined)
       return joined;
-  auto arena = Arena::create(scene, axes,
-                             {.threads = threadsOf(options_.building),
-                              .check = options_.check,
-                              .maxBytes = options_.wish.maxBytes,
-                              .folder = options_.folder,
-                              .madeBy = bench::madeBy(options_.commandText())},
-                             memory_, bounded());
-  if (!arena)
-    return isOutOfTime(arena.error()) ? tooShort("exact hits were found") : arena.error();
+  auto session = MeasurementSession::create(scene, axes,
+                                            {.threads = threadsOf(options_.building),
+                                             .check = options_.check,
+                                             .maxBytes = options_.wish.maxBytes,
+                                             .folder = options_.folder,
+                                             .madeBy = bench::madeBy(options_.commandText())},
+                                            memory_, bounded());
+  if (!session)
+    return isOutOfTime(session.error()) ? tooShort("exact hits were found") : session.error();
   // What others took for their shares is not of this budget.
-  ContestOptions contestOptions{.budget =
+  SearchLoopOptions loopOptions{.budget =
                                     options_.shares.areElsewhere() ? TimeBudget(options_.budget) : budget_};
   if (options_.all)
-    contestOptions.leastGain = -1;
+    loopOptions.leastGain = -1;
   if (options_.shares.share())
-    contestOptions.lastRounds = 0;
-  Contest contest(race, *arena, *writer, contestOptions);
-  contest.takeKnown(known_);
-  Expected<void> measured = contest.run(progress_);
+    loopOptions.lastRounds = 0;
+  SearchLoop loop(acquisition, *session, *writer, loopOptions);
+  loop.takeKnown(known_);
+  Expected<void> measured = loop.run(progress_);
   const bool isInterrupted = !measured && measured.error().kind == ErrorKind::Interrupted;
-  if ((!measured && (!isInterrupted || contest.findings().empty())) || options_.shares.share())
+  if ((!measured && (!isInterrupted || loop.findings().empty())) || options_.shares.share())
     return measured;
-  if (measured && contest.findings().empty())
+  if (measured && loop.findings().empty())
     return tooShort("the first format was built");
-  Expected<void> told = tell({axes, explored.rated, race, contest}, figures);
+  Expected<void> told = tell({axes, explored.rated, acquisition, loop}, figures);
   // The answer stands without what the next search would begin with.
-  if (Expected<void> remembered = keepSpeedModel(axes.devices.front().part.name, race.model());
+  if (Expected<void> remembered = keepSpeedModel(axes.devices.front().part.name, acquisition.model());
       !remembered && !options_.common.quiet)
     printNote("what was learned of the device is not kept: " + remembered.error().message);
   return told ? measured : told;
@@ -249,12 +251,12 @@ Expected<void> SearchCommand::search(Scene &scene, Json &figures) {
   }
   const SpeedModel model = knownSpeedsOf(axes->devices.front().part.name).model;
   const Stopwatch exploring;
-  Explored explored = foretell(scene, replayedRays(scene, *axes), model, *seeds);
+  Explored explored = predict(scene, simulatedRays(scene, *axes), model, *seeds);
   figures["explore_seconds"] = exploring.seconds();
   if (progress_.stopped())
     return Error::interrupted();
   if (explored.formats.empty())
-    return budget_.isOver() ? tooShort("speeds were foretold") : explainNone(*seeds, scene);
+    return budget_.isOver() ? tooShort("speeds were predicted") : explainNone(*seeds, scene);
   if (options_.shares.areElsewhere()) {
     if (Expected<void> measured = measureElsewhere(explored, *seeds, *axes, figures); !measured)
       return measured;

@@ -46,14 +46,14 @@ std::string searchDigest(const std::vector<Candidate> &candidates, const bench::
   return digest.hex();
 }
 
-bench::SharedCells sharedCells(const std::vector<RatedFormat> &formats,
+bench::SharedCells sharedCells(const std::vector<PredictedFormat> &formats,
                                const std::vector<Candidate> &candidates, std::uint64_t count,
                                bench::SweepAxes &axes) {
   bench::SharedCells shared{.count = count, .named = {}, .digest = searchDigest(candidates, axes)};
   std::map<std::pair<std::string, std::vector<std::string>>, std::size_t> places;
   for (std::size_t i = 0; i < candidates.size(); ++i)
     places.emplace(std::pair(candidates[i].text, candidates[i].passes), i);
-  for (const RatedFormat &format : formats) {
+  for (const PredictedFormat &format : formats) {
     const std::size_t place = places.at({format.candidate.text, format.candidate.passes});
     for (const bench::Record &record : recordsOf(format.candidate, axes, {})) {
       shared.cells.push_back(record.cell);

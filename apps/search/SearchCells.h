@@ -4,7 +4,7 @@
 #include "choosing/Scene.h"
 #include "sweep/Cells.h"
 #include "sweep/SharedSweep.h"
-#include "voxc/Search/Rater.h"
+#include "voxc/Search/FormatPredictor.h"
 
 #include <cstdint>
 #include <vector>
@@ -23,7 +23,7 @@ void keepShare(std::vector<Candidate> &candidates, const bench::Share &share);
 std::string searchDigest(const std::vector<Candidate> &candidates, const bench::SweepAxes &axes);
 
 /// The cells of `formats`, which are candidates that are worth a volume, by the shares of the candidates.
-bench::SharedCells sharedCells(const std::vector<RatedFormat> &formats,
+bench::SharedCells sharedCells(const std::vector<PredictedFormat> &formats,
                                const std::vector<Candidate> &candidates, std::uint64_t count,
                                bench::SweepAxes &axes);
 

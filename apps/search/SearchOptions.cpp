@@ -47,7 +47,7 @@ void SearchOptions::declare(const CommandLine &command) {
       .takes("P")
       .oneOf(std::vector<std::string>(precisionNames().begin(), precisionNames().end()))
       .showsDefault();
-  addObjectiveArgument(command, objective_, "Whose command is told");
+  addObjectiveArgument(command, objective_, "Whose command is printed");
   addMaxBytesArgument(command, building);
   command.option("--max-bytes").text("The most bytes that a volume's words may take, such as 64MiB");
   command.add("--min-speed", leastSpeed, "The least speed that is of use, in million rays a second")
@@ -75,7 +75,7 @@ void SearchOptions::declare(const CommandLine &command) {
            "The most levels of a format; default: 4, but as many as it takes of those that it begins with")
       .takes("N")
       .between(1, 8);
-  command.add("--explore", explore.mostFormats, "The most formats of which size and speed are foretold")
+  command.add("--explore", explore.mostFormats, "The most formats of which size and speed are predicted")
       .takes("N")
       .between(1, 10'000'000)
       .showsDefault();

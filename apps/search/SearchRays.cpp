@@ -14,11 +14,11 @@ namespace {
 /// that of one view.
 Expected<std::vector<bench::RaySet>> measuredRays(const SearchOptions &options, const Scene &scene) {
   bench::RayArguments arguments = options.rays;
-  const bool isUsual = arguments.cameraFile.empty() && arguments.rayFiles.empty();
+  const bool hasDefaultRays = arguments.cameraFile.empty() && arguments.rayFiles.empty();
   if (arguments.size.empty() && arguments.cameraFile.empty())
     arguments.size = "480x270";
   auto sets = bench::readRaySets(arguments, bench::nameOfInput(options.input));
-  if (!sets || !isUsual)
+  if (!sets || !hasDefaultRays)
     return sets;
   const std::vector<Ray> eye = sets->front().raysFor(scene.extent);
   std::vector<Ray> bounces = sampleBounces(scene.shape, eye, eye.size(), options.seed);
@@ -29,7 +29,7 @@ Expected<std::vector<bench::RaySet>> measuredRays(const SearchOptions &options, 
 
 } // namespace
 
-std::vector<RaySet> replayedRays(const Scene &scene, const bench::SweepAxes &axes) {
+std::vector<RaySet> simulatedRays(const Scene &scene, const bench::SweepAxes &axes) {
   // A tracer of a device that is no processor takes rays as they are given.
   const bool isProcessor = axes.devices.front().part.clock == "cpu";
   std::vector<RaySet> sets;
@@ -42,7 +42,7 @@ std::vector<RaySet> replayedRays(const Scene &scene, const bench::SweepAxes &axe
             ? RaySet{set.part.name, sampleCamera(set.camera(scene.extent), kConsideredRays)}
             : samplePackets(set.part.name, set.raysFor(scene.extent), kConsideredRays,
                             std::max({scene.extent.x, scene.extent.y, scene.extent.z}), order);
-    sets.push_back(typicalPackets(scene.shape, considered, kReplayedRays));
+    sets.push_back(typicalPackets(scene.shape, considered, kSimulatedRays));
   }
   return sets;
 }

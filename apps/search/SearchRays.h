@@ -1,4 +1,4 @@
-// The rays of a search: those that formats are measured by, and some of them to be replayed.
+// The rays of a search: those that formats are measured by, and some of them to be simulated.
 #pragma once
 
 #include "search/SearchOptions.h"
@@ -15,6 +15,6 @@ namespace voxc::tool {
 Expected<bench::SweepAxes> makeSearchAxes(const SearchOptions &options, const Scene &scene);
 
 /// Rays that stand for the measured ones, in the order in which the device takes them.
-std::vector<RaySet> replayedRays(const Scene &scene, const bench::SweepAxes &axes);
+std::vector<RaySet> simulatedRays(const Scene &scene, const bench::SweepAxes &axes);
 
 } // namespace voxc::tool

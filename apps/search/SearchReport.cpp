@@ -2,7 +2,7 @@
 #include "search/SearchReport.h"
 
 #include "choosing/BuildCommand.h"
-#include "choosing/RatedFigures.h"
+#include "choosing/PredictionFigures.h"
 
 #include <algorithm>
 #include <array>
@@ -25,13 +25,13 @@ template <typename... Values> std::string print(const char *format, const Values
 }
 
 std::string ratioText(const Finalist &finalist) {
-  return finalist.foretoldRatio > 0 ? print("%.2f", finalist.foretoldRatio) : "-";
+  return finalist.predictedRatio > 0 ? print("%.2f", finalist.predictedRatio) : "-";
 }
 
 std::string table(const bench::SearchVerdict &verdict) {
-  std::string text = "\n        size  speed" + std::string(36, ' ') + "foretold/measured  format\n";
+  std::string text = "\n        size  speed" + std::string(35, ' ') + "predicted/measured  format\n";
   for (const Finalist &finalist : verdict.frontier)
-    text += print("  %10s  %-40s %17s  ", finalist.sizeText.c_str(), finalist.setSpeedsText.c_str(),
+    text += print("  %10s  %-39s %18s  ", finalist.sizeText.c_str(), finalist.setSpeedsText.c_str(),
                   ratioText(finalist).c_str()) +
             finalist.name + "\n";
   return text;
@@ -47,11 +47,11 @@ std::string answers(const bench::SearchVerdict &verdict) {
   return text;
 }
 
-/// The format of the race that a finalist is; none if records of another kind lie in the folder.
-const RatedFormat *formatOf(const SearchResult &result, const Finalist &finalist) {
+/// The predicted format that a finalist is; none if records of another kind lie in the folder.
+const PredictedFormat *formatOf(const SearchResult &result, const Finalist &finalist) {
   const bench::FormatPart &wanted = finalist.cells.front()->format;
-  const auto &formats = result.race.formats();
-  const auto found = std::ranges::find_if(formats, [&](const RatedFormat &format) {
+  const auto &formats = result.acquisition.formats();
+  const auto found = std::ranges::find_if(formats, [&](const PredictedFormat &format) {
     return format.candidate.text == wanted.name && format.candidate.passes == wanted.passes;
   });
   return found == formats.end() ? nullptr : &*found;
@@ -59,7 +59,7 @@ const RatedFormat *formatOf(const SearchResult &result, const Finalist &finalist
 
 /// ": compile: ...", of the first format that failed.
 std::string whyNone(const SearchResult &result) {
-  for (const auto &[index, finding] : result.contest.findings())
+  for (const auto &[index, finding] : result.loop.findings())
     for (const Record &record : finding.records)
       if (record.failure)
         return ": " + record.failure->stage + ": " + record.failure->reason;
@@ -79,14 +79,14 @@ std::string meaningOf(const std::string &objective) {
 
 double medianError(const SearchResult &result) {
   std::vector<double> errors;
-  for (const auto &[index, finding] : result.contest.findings()) {
-    double foretold = 0; // Nanoseconds.
+  for (const auto &[index, finding] : result.loop.findings()) {
+    double predicted = 0; // Nanoseconds.
     for (const Record &record : finding.records)
-      foretold += record.predicted && record.predicted->mraysPerS.value_or(0) > 0
-                      ? 1000 / *record.predicted->mraysPerS / static_cast<double>(finding.records.size())
-                      : std::nan("");
-    if (const auto time = result.race.timeOf(index); time && foretold > 0)
-      errors.push_back(std::abs(*time / foretold - 1));
+      predicted += record.predicted && record.predicted->mraysPerS.value_or(0) > 0
+                       ? 1000 / *record.predicted->mraysPerS / static_cast<double>(finding.records.size())
+                       : std::nan("");
+    if (const auto time = result.acquisition.timeOf(index); time && predicted > 0)
+      errors.push_back(std::abs(*time / predicted - 1));
   }
   return median(errors);
 }
@@ -109,12 +109,12 @@ Json verdictFigures(const bench::SearchVerdict &verdict) {
 
 } // namespace
 
-bench::SearchVerdict verdictOf(const std::vector<Record> &cells, const Contest &contest,
+bench::SearchVerdict verdictOf(const std::vector<Record> &cells, const SearchLoop &loop,
                                const std::string &objective) {
   std::map<std::string, bool> isCompared; // By cells.
-  for (const auto &[index, finding] : contest.findings())
+  for (const auto &[index, finding] : loop.findings())
     for (const Record &record : finding.records)
-      isCompared[record.cell] = contest.isCompared(index);
+      isCompared[record.cell] = loop.isCompared(index);
   std::vector<const Record *> own;
   for (const Record &cell : cells)
     if (isCompared.contains(cell.cell))
@@ -130,13 +130,13 @@ std::string searchReport(const SearchResult &result) {
                            static_cast<unsigned long long>(verdict.wrongRays),
                            static_cast<unsigned long long>(verdict.checkedRays));
   if (const double factor = verdict.worstFactor(); factor > 0)
-    text += print("; speeds of the best foretold within a factor of %.2f", factor);
-  text += result.contest.isComplete() ? "\nnothing that was not measured promises more\n"
-                                      : "\nthe budget ended first: run the command again to go on\n";
+    text += print("; speeds of the best predicted within a factor of %.2f", factor);
+  text += result.loop.isComplete() ? "\nnothing that was not measured promises more\n"
+                                   : "\nthe budget ended first: run the command again to go on\n";
   if (verdict.frontier.empty())
     return text + "no format could be measured" + whyNone(result) + "\n";
   text += table(verdict) + "\n" + answers(verdict);
-  if (const RatedFormat *format = formatOf(result, verdict.answer(verdict.objective)))
+  if (const PredictedFormat *format = formatOf(result, verdict.answer(verdict.objective)))
     text += "\n" + meaningOf(verdict.objective) + "\n" +
             buildCommand(result.input, result.arguments, format->candidate) + "\n";
   return text;
@@ -147,9 +147,9 @@ void addSearchFigures(Json &figures, const SearchResult &result) {
   figures["rated"] = result.rated;
   figures["kept"] = result.kept;
   figures["measured"] = verdict.formats;
-  figures["complete"] = result.contest.isComplete();
+  figures["complete"] = result.loop.isComplete();
   figures["seconds"] = result.seconds;
-  figures["area"] = result.race.frontier().area();
+  figures["area"] = result.acquisition.frontier().area();
   figures["checked_rays"] = verdict.checkedRays;
   figures["wrong_rays"] = verdict.wrongRays;
   figures["median_error"] = medianError(result);
@@ -163,8 +163,8 @@ void addSearchFigures(Json &figures, const SearchResult &result) {
   }
   figures["frontier"] = std::move(rows);
   figures["formats"] = Json::array();
-  for (const RatedFormat &format : result.race.formats())
-    figures["formats"].push_back(ratedFigures(format, result.rays));
+  for (const PredictedFormat &format : result.acquisition.formats())
+    figures["formats"].push_back(predictionFigures(format, result.rays));
 }
 
 } // namespace voxc::tool

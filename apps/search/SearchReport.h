@@ -1,7 +1,7 @@
 // What voxc search says at the end.
 #pragma once
 
-#include "search/Contest.h"
+#include "search/SearchLoop.h"
 
 #include "bench/SearchVerdict.h"
 #include "common/Json.h"
@@ -12,8 +12,8 @@
 
 namespace voxc::tool {
 
-/// The verdict on what a contest measured; `cells` are the records of its folder, which must outlive it.
-bench::SearchVerdict verdictOf(const std::vector<bench::Record> &cells, const Contest &contest,
+/// The verdict on what a search measured; `cells` are the records of its folder, which must outlive it.
+bench::SearchVerdict verdictOf(const std::vector<bench::Record> &cells, const SearchLoop &loop,
                                const std::string &objective);
 
 struct SearchResult {
@@ -21,11 +21,11 @@ struct SearchResult {
   InputArguments arguments; ///< As they were looked at.
   std::string device;
   std::vector<std::string> rays; ///< Names of the sets.
-  std::size_t rated = 0;         ///< Formats of which size and speed were foretold,
+  std::size_t rated = 0;         ///< Formats of which size and speed were predicted,
   std::size_t kept = 0;          ///< and those that came near the frontier.
   double seconds = 0;
-  const Race &race;
-  const Contest &contest;
+  const Acquisition &acquisition;
+  const SearchLoop &loop;
   const bench::SearchVerdict &verdict;
 };
 
@@ -33,7 +33,7 @@ struct SearchResult {
 /// the objective asks for.
 std::string searchReport(const SearchResult &result);
 
-/// Adds what was measured, how well it was foretold, and what the formats cost that came near the frontier.
+/// Adds what was measured, how well it was predicted, and what the formats cost that came near the frontier.
 void addSearchFigures(Json &figures, const SearchResult &result);
 
 } // namespace voxc::tool

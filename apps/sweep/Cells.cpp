@@ -2,7 +2,7 @@
 #include "sweep/Cells.h"
 
 #include "bench/Digest.h"
-#include "tracing/Tracing.h"
+#include "tracing/TraceSession.h"
 #include "voxc/IR/Query.h"
 #include "voxc/Passes/Pass.h"
 
@@ -106,7 +106,7 @@ Expected<std::vector<SweepDevice>> findDevices(const std::vector<std::string> &n
   std::vector<SweepDevice> devices;
   devices.reserve(names.size());
   for (const std::string &name : names) {
-    Tracing tracing;
+    TraceSession tracing;
     tracing.choose(name, threads);
     if (Expected<void> opened = tracing.openDevice({.quiet = true}); !opened)
       return opened.error();

@@ -23,7 +23,7 @@ struct SweepFormat {
   Format format;
 };
 
-/// A device as it was asked for, and what it is.
+/// A device as asked for, and what it is.
 struct SweepDevice {
   std::string asked;
   DevicePart part;

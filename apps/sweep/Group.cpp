@@ -17,12 +17,12 @@ namespace {
 struct Runner {
   Cell *cell;
   std::shared_ptr<const Volume> volume;
-  std::unique_ptr<Contestant> contestant; ///< Null: not prepared.
+  std::unique_ptr<VariantCandidate> candidate; ///< Null: not prepared.
   std::optional<Failure> failure;
   WorkPart work;
   ErrorPart error;
 
-  bool runs() const { return contestant && !failure; }
+  bool runs() const { return candidate && !failure; }
   void fail(const char *stage, const Error &error) {
     failure = {stage, error.message, volume ? Count(volume->words().size()) : std::nullopt};
   }
@@ -32,7 +32,7 @@ class Group {
 public:
   Group(const GroupRays &rays, const MeasureOptions &options) : rays_(rays), options_(options) {}
 
-  Expected<void> prepare(std::span<const Entrant> entrants);
+  Expected<void> prepare(std::span<const BuiltCell> builtCells);
   /// A round that warms, then those that count.
   Expected<void> traceRounds();
   /// Errors, steps and words.
@@ -43,7 +43,7 @@ public:
 
 private:
   /// Ends the sweep if it was interrupted; else the failure is the runner's.
-  Expected<void> settle(Runner &runner, const char *stage, const Expected<void> &outcome) const;
+  Expected<void> recordFailure(Runner &runner, const char *stage, const Expected<void> &outcome) const;
   Expected<void> prepareOne(Runner &runner, const std::string &path);
   Expected<void> examineOne(Runner &runner) const;
   bool isSteady(const Cell &cell) const;
@@ -54,7 +54,7 @@ private:
   std::vector<Runner> runners_;
 };
 
-Expected<void> Group::settle(Runner &runner, const char *stage, const Expected<void> &outcome) const {
+Expected<void> Group::recordFailure(Runner &runner, const char *stage, const Expected<void> &outcome) const {
   if (options_.progress.stopped())
     return Error::interrupted();
   if (!outcome)
@@ -77,23 +77,23 @@ Expected<void> Group::prepareOne(Runner &runner, const std::string &path) {
   }
   runner.volume = volume;
   const Cell &cell = *runner.cell;
-  auto contestant = tool::prepare({.precision = cell.record.precision,
-                                   .walk = "",
-                                   .device = cell.device->asked,
-                                   .format = cell.kernelFormat},
-                                  *volume, options_.threads, cell.record.rays.order.value_or(kAutoOrder));
-  if (!contestant)
-    return contestant.error();
-  runner.contestant = std::move(*contestant);
+  auto candidate = tool::prepare({.precision = cell.record.precision,
+                                  .traversal = "",
+                                  .device = cell.device->asked,
+                                  .format = cell.kernelFormat},
+                                 *volume, options_.threads, cell.record.rays.order.value_or(kAutoOrder));
+  if (!candidate)
+    return candidate.error();
+  runner.candidate = std::move(*candidate);
   return {};
 }
 
-Expected<void> Group::prepare(std::span<const Entrant> entrants) {
-  for (const Entrant &entrant : entrants) {
-    runners_.push_back({.cell = entrant.cell});
+Expected<void> Group::prepare(std::span<const BuiltCell> builtCells) {
+  for (const BuiltCell &built : builtCells) {
+    runners_.push_back({.cell = built.cell});
     Runner &runner = runners_.back();
-    if (auto settled = settle(runner, "compile", prepareOne(runner, entrant.volume.path)); !settled)
-      return settled;
+    if (auto recorded = recordFailure(runner, "compile", prepareOne(runner, built.volume.path)); !recorded)
+      return recorded;
     options_.advance();
   }
   return {};
@@ -103,9 +103,9 @@ Expected<void> Group::traceRounds() {
   for (unsigned round = 0; round <= options_.rounds; ++round)
     for (Runner &runner : runners_) {
       if (runner.runs()) {
-        const auto traced = traceOnce(*runner.contestant, rays_.rays, round > 0, options_.progress);
-        if (auto settled = settle(runner, "trace", traced); !settled)
-          return settled;
+        const auto traced = traceOnce(*runner.candidate, rays_.rays, round > 0, options_.progress);
+        if (auto recorded = recordFailure(runner, "trace", traced); !recorded)
+          return recorded;
       }
       options_.advance();
     }
@@ -113,25 +113,25 @@ Expected<void> Group::traceRounds() {
 }
 
 Expected<void> Group::examineOne(Runner &runner) const {
-  Contestant &contestant = *runner.contestant;
-  runner.work.hits = static_cast<std::uint64_t>(std::ranges::count_if(contestant.hits, &Hit::isHit));
+  VariantCandidate &candidate = *runner.candidate;
+  runner.work.hits = static_cast<std::uint64_t>(std::ranges::count_if(candidate.hits, &Hit::isHit));
   const std::size_t count = rays_.sample.size();
   if (count == 0)
     return {};
   std::vector<Hit> hits(count);
   for (std::size_t i = 0; i < count; ++i)
-    hits[i] = contestant.hits[i * rays_.rays.size() / count];
+    hits[i] = candidate.hits[i * rays_.rays.size() / count];
   if (rays_.oracle)
     runner.error = partOf(compare(*rays_.oracle, rays_.sample, rays_.exact, hits));
   Json ignored;
-  if (auto traced = contestant.tracing.trace(rays_.sample, hits, {.countSteps = true}, ignored); !traced)
+  if (auto traced = candidate.tracing.trace(rays_.sample, hits, {.countSteps = true}, ignored); !traced)
     return traced;
   runner.work.rays = count;
   runner.work.stepsPerRay = meanSteps(hits);
   const Format &format = runner.cell->kernelFormat;
-  if (auto prepared = contestant.tracing.prepareToCountWords(*runner.volume, format); !prepared)
+  if (auto prepared = candidate.tracing.prepareToCountWords(*runner.volume, format); !prepared)
     return prepared;
-  if (auto traced = contestant.tracing.trace(rays_.sample, hits, {.countWords = true}, ignored); !traced)
+  if (auto traced = candidate.tracing.trace(rays_.sample, hits, {.countWords = true}, ignored); !traced)
     return traced;
   runner.work.wordsPerRay = meanSteps(hits);
   return {};
@@ -140,8 +140,8 @@ Expected<void> Group::examineOne(Runner &runner) const {
 Expected<void> Group::examine() {
   for (Runner &runner : runners_) {
     if (runner.runs())
-      if (auto settled = settle(runner, "trace", examineOne(runner)); !settled)
-        return settled;
+      if (auto recorded = recordFailure(runner, "trace", examineOne(runner)); !recorded)
+        return recorded;
     options_.advance();
   }
   return {};
@@ -155,7 +155,7 @@ void Group::takePicture(const std::string &path, const Camera &camera) {
   std::vector<Hit> hits(rays.size());
   Json ignored;
   // A picture is no finding: a sweep without it is whole.
-  if (first->contestant->tracing.trace(rays, hits, {}, ignored))
+  if (first->candidate->tracing.trace(rays, hits, {}, ignored))
     static_cast<void>(writePng(path, shade(rays, hits, camera.width, camera.height)));
 }
 
@@ -178,16 +178,16 @@ void Group::record() const {
     record.failure = runner.failure;
     if (runner.failure)
       continue;
-    const Contestant &contestant = *runner.contestant;
+    const VariantCandidate &candidate = *runner.candidate;
     const std::uint64_t count = rays_.rays.size();
-    record.kernel = {figureOf(contestant.setup, "kernel_seconds"),
-                     figureOf(contestant.setup, "upload_seconds"), contestant.firstDispatchSeconds};
+    record.kernel = {figureOf(candidate.setup, "kernel_seconds"), figureOf(candidate.setup, "upload_seconds"),
+                     candidate.firstDispatchSeconds};
     record.speed = {options_.rounds,
-                    speedOf(count, contestant.seconds),
-                    speedOf(count, contestant.cpuSeconds),
-                    speedOf(count, contestant.deviceSeconds),
+                    speedOf(count, candidate.seconds),
+                    speedOf(count, candidate.cpuSeconds),
+                    speedOf(count, candidate.deviceSeconds),
                     {},
-                    contestant.order};
+                    candidate.order};
     record.work = runner.work;
     record.error = runner.error;
     record.speed.steady = isSteady(*runner.cell);
@@ -221,10 +221,10 @@ std::size_t stepsOf(std::size_t cells, const MeasureOptions &options) {
   return cells * (options.rounds + 3);
 }
 
-Expected<void> measure(std::span<const Entrant> entrants, const GroupRays &rays,
+Expected<void> measure(std::span<const BuiltCell> builtCells, const GroupRays &rays,
                        const MeasureOptions &options, const std::string &picture, const Camera &camera) {
   Group group(rays, options);
-  if (auto prepared = group.prepare(entrants); !prepared)
+  if (auto prepared = group.prepare(builtCells); !prepared)
     return prepared;
   if (auto traced = group.traceRounds(); !traced)
     return traced;

@@ -16,7 +16,7 @@
 namespace voxc::tool::bench {
 
 /// A cell whose volume is there.
-struct Entrant {
+struct BuiltCell {
   Cell *cell;
   CachedVolume volume;
 };
@@ -52,7 +52,7 @@ std::size_t stepsOf(std::size_t cells, const MeasureOptions &options);
 /// Traces the cells in turn and adds what is found to their records; a cell that cannot be traced fails
 /// alone. `picture`, if it is not "", is the path of a picture to take from `camera` by the first cell that
 /// can. Error: `Interrupted`, with which the records are as they were.
-Expected<void> measure(std::span<const Entrant> entrants, const GroupRays &rays,
+Expected<void> measure(std::span<const BuiltCell> builtCells, const GroupRays &rays,
                        const MeasureOptions &options, const std::string &picture, const Camera &camera);
 
 } // namespace voxc::tool::bench

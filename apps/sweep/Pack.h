@@ -45,7 +45,7 @@ private:
   std::set<std::string> added_;
 };
 
-/// The format of a record as its kernel walks it. Error: `Input` if the record's format and digest do not
+/// The format of a record as its kernel traverses it. Error: `Input` if the record's format and digest do not
 /// belong together.
 Expected<Format> formatOf(const Record &record);
 

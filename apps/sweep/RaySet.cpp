@@ -21,7 +21,7 @@ std::string exact(double number) {
   return text;
 }
 
-/// What a record says of an order; of the usual one, nothing.
+/// What a record says of an order; of the default, nothing.
 std::optional<std::string> orderOf(const std::string &asked) {
   return asked == kAutoOrder ? std::nullopt : std::optional(asked);
 }

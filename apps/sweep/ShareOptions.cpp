@@ -33,14 +33,14 @@ std::string shareProblem(const std::string &text) {
 
 } // namespace
 
-void ShareOptions::declare(const CommandLine &command, const std::string &usual) {
+void ShareOptions::declare(const CommandLine &command, const std::string &defaultShares) {
   command_ = command;
   const OptionGroup group(command, "Shares");
   jobs_.declare(command);
   const Option local = command.option("--local"), slurm = command.option("--slurm");
   local.text("Measure in shares, on so many processes of this machine");
   slurm.text("Measure in shares, as an array of jobs of Slurm");
-  command.add("--shares", shares_, "Shares that Slurm measures, each a job; default: " + usual)
+  command.add("--shares", shares_, "Shares that Slurm measures, each a job; default: " + defaultShares)
       .takes("N")
       .between(std::uint64_t{1}, kMostShares)
       .needs(slurm);
@@ -55,10 +55,10 @@ void ShareOptions::declare(const CommandLine &command, const std::string &usual)
 
 std::optional<Share> ShareOptions::share() const { return parseShare(share_); }
 
-std::uint64_t ShareOptions::count(std::uint64_t usual) const {
+std::uint64_t ShareOptions::count(std::uint64_t defaultShares) const {
   if (shares_ > 0)
     return shares_;
-  return jobs_.bySlurm() ? std::max<std::uint64_t>(usual, 1) : jobs_.processes();
+  return jobs_.bySlurm() ? std::max<std::uint64_t>(defaultShares, 1) : jobs_.processes();
 }
 
 std::vector<std::string> ShareOptions::command(const std::string &name) const {

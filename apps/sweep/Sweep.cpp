@@ -65,11 +65,11 @@ Int3 extentOf(const CachedVolume &volume) {
 
 bool isSame(Int3 a, Int3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
-/// Memory that an entrant takes beside its mapped volume, and that volume.
-std::uint64_t bytesOf(const Entrant &entrant, std::size_t rays) {
-  const std::uint64_t words = entrant.cell->record.volume.bytes.value_or(0);
+/// Memory that an built takes beside its mapped volume, and that volume.
+std::uint64_t bytesOf(const BuiltCell &built, std::size_t rays) {
+  const std::uint64_t words = built.cell->record.volume.bytes.value_or(0);
   const std::uint64_t perRay = sizeof(Ray) + sizeof(Hit);
-  return entrant.cell->record.device.kind == "vulkan" ? 2 * words + 2 * rays * perRay : words + rays * perRay;
+  return built.cell->record.device.kind == "vulkan" ? 2 * words + 2 * rays * perRay : words + rays * perRay;
 }
 
 std::string picturePath(const SweepModel &model) { return "pictures/" + model.model.name + ".png"; }
@@ -220,15 +220,15 @@ Expected<std::vector<Sweep::Ready>> Sweep::buildModel(const SweepModel &model) {
       auto set = std::ranges::find_if(ready, fits);
       if (set == ready.end())
         set = ready.insert(ready.end(), {{}, cell->rays, extent});
-      set->entrants.push_back({cell, volume});
+      set->builtCells.push_back({cell, volume});
     }
   }
   return ready;
 }
 
-std::vector<std::span<const Entrant>> Sweep::groupsOf(const Ready &ready, std::size_t rays) const {
-  std::vector<std::span<const Entrant>> groups;
-  const std::span<const Entrant> all = ready.entrants;
+std::vector<std::span<const BuiltCell>> Sweep::groupsOf(const Ready &ready, std::size_t rays) const {
+  std::vector<std::span<const BuiltCell>> groups;
+  const std::span<const BuiltCell> all = ready.builtCells;
   std::size_t begin = 0;
   std::uint64_t bytes = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -249,8 +249,8 @@ void Sweep::askOracle(const Ready &ready, GroupRays &rays) {
   auto known = oracles_.find(extent);
   if (known == oracles_.end()) {
     // Every format holds the same voxels, so that the smallest volume gives the oracle of all.
-    const auto bytes = [](const Entrant &entrant) { return entrant.cell->record.volume.bytes; };
-    const Entrant &smallest = *std::ranges::min_element(ready.entrants, {}, bytes);
+    const auto bytes = [](const BuiltCell &built) { return built.cell->record.volume.bytes; };
+    const BuiltCell &smallest = *std::ranges::min_element(ready.builtCells, {}, bytes);
     const Expected<Volume> volume = Volume::load(smallest.volume.path, {.trusted = true});
     if (!volume)
       return;
@@ -270,14 +270,14 @@ Expected<void> Sweep::measureAll(const SweepModel &model, Ready &ready) {
   GroupRays rays = makeGroupRays(ready.rays->raysFor(ready.extent), options_.measure.check);
   if (!rays.sample.empty())
     askOracle(ready, rays);
-  for (const std::span<const Entrant> group : groupsOf(ready, rays.rays.size()))
+  for (const std::span<const BuiltCell> group : groupsOf(ready, rays.rays.size()))
     if (Expected<void> measured = measureGroup(model, ready, group, rays); !measured)
       return measured;
   return {};
 }
 
 Expected<void> Sweep::measureGroup(const SweepModel &model, const Ready &ready,
-                                   std::span<const Entrant> group, const GroupRays &rays) {
+                                   std::span<const BuiltCell> group, const GroupRays &rays) {
   const std::string picture = picturePath(model), path = options_.folder + "/" + picture;
   std::error_code ignored;
   const bool isTaken = fs::exists(path, ignored);
@@ -285,10 +285,10 @@ Expected<void> Sweep::measureGroup(const SweepModel &model, const Ready &ready,
           measure(group, rays, options_.measure, isTaken ? "" : path, pictureCamera(model, ready.extent));
       !measured)
     return measured;
-  for (const Entrant &entrant : group) {
+  for (const BuiltCell &built : group) {
     if (fs::exists(path, ignored))
-      entrant.cell->record.model.picture = picture;
-    if (Expected<void> finished = finish(*entrant.cell); !finished)
+      built.cell->record.model.picture = picture;
+    if (Expected<void> finished = finish(*built.cell); !finished)
       return finished;
   }
   return {};

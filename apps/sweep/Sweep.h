@@ -44,7 +44,7 @@ private:
   /// A volume's extent, by which its rays and oracle are told from others.
   using Extent = std::array<int, 3>;
   struct Ready {
-    std::vector<Entrant> entrants;
+    std::vector<BuiltCell> builtCells;
     const RaySet *rays;
     Int3 extent;
   };
@@ -61,9 +61,9 @@ private:
   Expected<void> measureAll(const SweepModel &model, Ready &ready);
   /// Without an answer, because memory or a volume fails, there are no error figures.
   void askOracle(const Ready &ready, GroupRays &rays);
-  Expected<void> measureGroup(const SweepModel &model, const Ready &ready, std::span<const Entrant> group,
+  Expected<void> measureGroup(const SweepModel &model, const Ready &ready, std::span<const BuiltCell> group,
                               const GroupRays &rays);
-  std::vector<std::span<const Entrant>> groupsOf(const Ready &ready, std::size_t rays) const;
+  std::vector<std::span<const BuiltCell>> groupsOf(const Ready &ready, std::size_t rays) const;
   Expected<void> fail(std::span<Cell *const> cells, const Failure &failure);
   Expected<void> finish(Cell &cell);
   std::vector<Cell *> pendingOf(const SweepModel &model, const SweepFormat &format);

@@ -37,7 +37,7 @@ public:
   using Outcome = std::variant<CachedVolume, Failure>;
 
   /// The volume of a model in a format, built in a process of its own if it is not there: formats that differ
-  /// in their walk share it. A build that fails is an outcome. Errors: `Interrupted`; `Environment` if
+  /// in their traversal share it. A build that fails is an outcome. Errors: `Interrupted`; `Environment` if
   /// nothing can be written, or no process be made.
   Expected<Outcome> get(const Model &model, const Format &format, const Progress &progress,
                         const std::function<void()> &poll) const;

@@ -1,7 +1,7 @@
 // Deeds, one after the other.
 #include "view/Carving.h"
 
-#include "view/Touch.h"
+#include "view/Pick.h"
 
 #include <optional>
 
@@ -25,10 +25,10 @@ Expected<std::vector<Aimed>> aim(const Shot &shot, const std::vector<Deed> &deed
     aimed.push_back({*stroke, {{-1, -1, -1}, 0, 0, 0}});
     if (!isInside)
       continue;
-    const auto touched = touch(shot, stroke->column, stroke->row);
-    if (!touched)
-      return touched.error();
-    aimed.back().hit = touched->hit;
+    const auto picked = pick(shot, stroke->column, stroke->row);
+    if (!picked)
+      return picked.error();
+    aimed.back().hit = picked->hit;
   }
   return aimed;
 }

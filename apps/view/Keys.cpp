@@ -59,7 +59,7 @@ constexpr MouseKind kMouse[] = {
     {"left drag", "turn; or with a brush, edit"},
     {"right drag", "move sideways and up"},
     {"wheel", "go nearer or further"},
-    {"left click", "tell the voxel there, and what the oracle says of it"},
+    {"left click", "show the voxel there, and what the oracle says of it"},
 };
 
 void addLine(std::string &text, std::string_view name, std::string_view summary) {

@@ -1,7 +1,7 @@
 // The thread that paints: always what was asked for last, coarse at once and then finer.
 #pragma once
 
-#include "view/Mailbox.h"
+#include "view/LatestValue.h"
 #include "view/Painting.h"
 
 #include "voxc/Support/Error.h"
@@ -58,7 +58,7 @@ private:
   std::uint64_t number_ = 0;
   Refinement refinement_;
   Question question_;
-  Mailbox<Painting> painting_;
+  LatestValue<Painting> painting_;
   std::thread thread_; // The last: it uses all others.
 };
 

@@ -15,13 +15,13 @@ std::unique_ptr<SurfaceNormals> normalsOf(const Model &model, const Tracers &tra
                              : std::make_unique<SurfaceNormals>(*model.volume, threads);
 }
 
-/// What a scout paints is seen by nobody; it takes one thread, and what shades it is its own.
-std::shared_ptr<const Scene> scoutOf(const Model &model, Tracers &tracers) {
-  if (!tracers.scout)
+/// What a prefetch paints is seen by nobody; it takes one thread, and what shades it is its own.
+std::shared_ptr<const Scene> prefetchScene(const Model &model, Tracers &tracers) {
+  if (!tracers.prefetch)
     return nullptr;
   auto scene = std::make_shared<Scene>();
   scene->model = model;
-  scene->tracer = std::move(tracers.scout);
+  scene->tracer = std::move(tracers.prefetch);
   scene->normals = normalsOf(model, tracers, 1);
   scene->threads = 1;
   return scene;
@@ -55,7 +55,7 @@ Expected<std::shared_ptr<Scene>> makeScene(const SceneMaker &maker, const SceneW
   const bool endsLate = scene->device != cpuDeviceInfo().name;
   scene->tracer = endsLate ? inSlices(std::move(tracers->tracer), kSlice) : std::move(tracers->tracer);
   scene->paging = std::move(tracers->paging);
-  scene->scout = scoutOf(scene->model, *tracers);
+  scene->prefetch = prefetchScene(scene->model, *tracers);
   if (scene->model.pagedBytes == 0)
     scene->sculpture = std::make_unique<Sculpture>(scene->model.volume);
   scene->normals = normalsOf(scene->model, *tracers, maker.threads);

@@ -17,10 +17,10 @@
 
 namespace voxc::view {
 
-/// A volume, with the way that its kernel shall walk it.
+/// A volume, with the way that its kernel shall traverse it.
 struct Model {
   std::shared_ptr<const Volume> volume;
-  Format format;    ///< With walk attributes.
+  Format format;    ///< With traversal attributes.
   std::string text; ///< The format and its passes, as `FormatText` reads them.
   /// Of its words, if only pages of them are in memory, which the tracer alone has: the volume is an outline.
   std::uint64_t pagedBytes = 0;
@@ -31,7 +31,7 @@ struct Tracers {
   std::unique_ptr<Tracer> tracer;
   /// Of a model in pages: another one, on this processor alone and on one thread, that is used by a thread of
   /// its own. What it reads the first finds at hand. Null: there is none.
-  std::unique_ptr<Tracer> scout = {};
+  std::unique_ptr<Tracer> prefetch = {};
   std::function<PagingReport()> paging = {}; ///< What the first has done; empty: it has no pages.
   /// Of a model in pages: finds its normals on so many threads, and may be asked by two.
   std::function<std::unique_ptr<SurfaceNormals>(unsigned threads)> makeNormals = {};
@@ -42,7 +42,7 @@ struct Scene {
   std::string device; ///< Its name.
   std::unique_ptr<Tracer> tracer;
   std::function<PagingReport()> paging;    ///< As in `Tracers`; asked by the thread that traces.
-  std::shared_ptr<const Scene> scout;      ///< The same model, traced by the scout; or null.
+  std::shared_ptr<const Scene> prefetch;   ///< The same model, traced by the prefetch; or null.
   std::unique_ptr<SurfaceNormals> normals; ///< That its pictures have found.
   std::unique_ptr<Sculpture> sculpture;    ///< Its volume while it is edited; null of a model in pages.
   unsigned threads = 0;                    ///< That shade; 0: all of the machine.

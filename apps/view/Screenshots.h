@@ -1,7 +1,7 @@
 // Pictures as numbered files, written on a thread.
 #pragma once
 
-#include "view/Mailbox.h"
+#include "view/LatestValue.h"
 
 #include "voxc/Support/Error.h"
 #include "voxc/Trace/Picture.h"
@@ -28,7 +28,7 @@ private:
   std::string folder_;
   std::function<void()> wake_;
   int number_ = 0;
-  Mailbox<Expected<std::string>> written_;
+  LatestValue<Expected<std::string>> written_;
   std::jthread writer_; // The last: it uses all others.
 };
 

@@ -11,7 +11,7 @@
 
 namespace voxc::view {
 
-/// A format with its passes, as it was measured.
+/// A format with its passes, as measured.
 struct SearchPoint {
   std::string text;       ///< As `FormatText` reads it.
   double bytes = 0;       ///< Of its volume.

@@ -48,7 +48,7 @@ Clip clipIn(const Scene &scene, const tool::ClipOptions &options) {
 
 Viewer::Viewer(ViewerOptions options, SceneMaker maker, EventLog &log, std::function<void()> wake)
     : options_(std::move(options)), maker_(std::move(maker)), log_(log), wake_(std::move(wake)),
-      screenshots_(options_.screenshots, wake_), saver_(options_.screenshots, wake_), witness_(wake_),
+      screenshots_(options_.screenshots, wake_), saver_(options_.screenshots, wake_), oracleCheck_(wake_),
       painter_({kBudget, options_.picture.samples > 0 ? options_.picture.samples : kFinest}, wake_) {
   state_.style = tool::styleOf(options_.picture);
   request(options_.wish);
@@ -187,7 +187,7 @@ bool Viewer::advance(double seconds) {
     if (motion_.advance(*camera_, std::min(seconds, kLongestStep), stride))
       show();
     playOn(seconds);
-    scout_.follow(shot(), *camera_, seconds);
+    prefetch_.follow(shot(), *camera_, seconds);
   }
   bool hasChanged = false;
   const auto take = [&hasChanged](auto &from, const auto &use) {
@@ -202,27 +202,27 @@ bool Viewer::advance(double seconds) {
   });
   take(loaded_, [this](Loaded loaded) { takeLoaded(std::move(loaded)); });
   take(painter_, [this](Painting painting) { takePainting(std::move(painting)); });
-  take(touch_, [this](const Expected<Touch> &touch) { takeTouch(touch); });
+  take(pick_, [this](const Expected<Pick> &pick) { takePick(pick); });
   take(screenshots_, [this](const Expected<std::string> &path) { takeScreenshot(path); });
   take(saver_, [this](const Expected<std::string> &path) { takeSaved(path); });
   take(carving_, [this](const Expected<Carving> &carving) { takeCarving(carving); });
   take(cut_, [this](const auto &cut) { takeCut(cut); });
   take(placed_, [this](const Expected<Camera> &camera) { takeCamera(camera); });
-  take(witness_, [this](const Expected<Testimony> &testimony) {
-    if (!testimony)
-      return fail(testimony.error());
-    state_.touched = describe(*testimony);
-    log_.tell("picked " + state_.touched);
+  take(oracleCheck_, [this](const Expected<CheckedHit> &checked) {
+    if (!checked)
+      return fail(checked.error());
+    state_.picked = describe(*checked);
+    log_.tell("picked " + state_.picked);
   });
   return hasChanged;
 }
 
-void Viewer::takeTouch(const Expected<Touch> &touch) {
-  if (!touch)
-    return fail(touch.error());
-  touched_ = touch->hit;
-  state_.touched = describe(touch->hit) + "; asking the oracle";
-  witness_.ask(*touch);
+void Viewer::takePick(const Expected<Pick> &pick) {
+  if (!pick)
+    return fail(pick.error());
+  touched_ = pick->hit;
+  state_.picked = describe(pick->hit) + "; asking the oracle";
+  oracleCheck_.ask(*pick);
 }
 
 void Viewer::setCamera(const ViewCamera &camera) {

@@ -4,12 +4,12 @@
 #include "view/Carving.h"
 #include "view/EventLog.h"
 #include "view/Motion.h"
+#include "view/OracleCheck.h"
 #include "view/Painter.h"
-#include "view/Scout.h"
+#include "view/PrefetchThread.h"
 #include "view/Screenshots.h"
 #include "view/SearchPoints.h"
 #include "view/VolumeSaver.h"
-#include "view/Witness.h"
 
 #include "common/ClipOptions.h"
 #include "common/PictureOptions.h"
@@ -42,7 +42,7 @@ struct ViewerState {
   std::string work;                  ///< What is being loaded, and how far.
   std::string error;                 ///< Of what was asked for last.
   std::string picture;               ///< How fine it is.
-  std::string touched;               ///< What a click told.
+  std::string picked;                ///< What a click told.
   std::string brush;                 ///< What the mouse edits; "": it turns.
   std::size_t frame = 0, frames = 1; ///< Of an animation.
   bool isFlying = false;
@@ -116,7 +116,7 @@ private:
   void stopLoading();
   void leave(bool isSure);
   void takePainting(Painting painting);
-  void takeTouch(const Expected<Touch> &touch);
+  void takePick(const Expected<Pick> &pick);
   void takeCamera(const Expected<Camera> &camera);
   Shot shot() const;
   void show();
@@ -182,17 +182,17 @@ private:
   bool isPlaying_ = false;
   double playedSeconds_ = 0; ///< Since the frame was chosen.
 
-  Mailbox<Loaded> loaded_;
-  Mailbox<std::string> work_;
-  Mailbox<Expected<Touch>> touch_;
-  Mailbox<Expected<Camera>> placed_;
-  Mailbox<Expected<Carving>> carving_;
-  Mailbox<Expected<std::shared_ptr<const Volume>>> cut_;
+  LatestValue<Loaded> loaded_;
+  LatestValue<std::string> work_;
+  LatestValue<Expected<Pick>> pick_;
+  LatestValue<Expected<Camera>> placed_;
+  LatestValue<Expected<Carving>> carving_;
+  LatestValue<Expected<std::shared_ptr<const Volume>>> cut_;
   Screenshots screenshots_;
   VolumeSaver saver_;
-  Witness witness_;
+  OracleCheck oracleCheck_;
   Painter painter_;
-  Scout scout_;
+  PrefetchThread prefetch_;
   JobThread loader_; // Threads last: they use all others.
 };
 

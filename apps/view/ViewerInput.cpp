@@ -128,7 +128,7 @@ void Viewer::click(int column, int row) {
     return;
   painter_.ask([this, column, row](const Shot &shot) {
     if (column < shot.camera.width && row < shot.camera.height)
-      touch_.put(touch(shot, column, row));
+      pick_.put(pick(shot, column, row));
   });
 }
 

@@ -1,7 +1,7 @@
 // Volumes as numbered files, built anew and written on a thread.
 #pragma once
 
-#include "view/Mailbox.h"
+#include "view/LatestValue.h"
 
 #include "voxc/Support/Error.h"
 #include "voxc/Volume/Volume.h"
@@ -37,7 +37,7 @@ private:
   std::string folder_;
   std::function<void()> wake_;
   int number_ = 0;
-  Mailbox<Expected<std::string>> written_;
+  LatestValue<Expected<std::string>> written_;
   std::jthread writer_; // The last: it uses all others.
 };
 

@@ -9,7 +9,7 @@
 #include "pictures/PictureRays.h"
 #include "program/Applications.h"
 #include "tracing/ErrorCheck.h"
-#include "tracing/Tracing.h"
+#include "tracing/TraceSession.h"
 #include "voxc/IR/Attribute.h"
 #include "voxc/IR/Query.h"
 #include "voxc/Oracle/Oracle.h"
@@ -47,7 +47,7 @@ Expected<std::vector<Hit>> hitsOf(const Volume &volume, std::string_view precisi
                                   std::span<const Ray> rays) {
   Format format = volume.format();
   askForPrecision(format, precision);
-  Tracing tracing;
+  TraceSession tracing;
   tracing.choose(cpuDeviceInfo().name, 0);
   Json unused;
   if (Expected<void> prepared = tracing.prepare(volume, format, unused); !prepared)
@@ -89,7 +89,7 @@ Expected<TakenPicture> takePoster(const PictureOptions &options, const Volume &v
   Format format = volume.format();
   if (!clip.cutsNothing())
     askForBounds(format);
-  Tracing tracing;
+  TraceSession tracing;
   tracing.choose(cpuDeviceInfo().name, 0);
   if (Expected<void> prepared = tracing.prepare(volume, format, figures); !prepared)
     return prepared.error();

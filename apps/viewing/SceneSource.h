@@ -47,12 +47,12 @@ private:
   Expected<view::Model> suggestModel(const CommonOptions &common, const Progress &progress) const;
   Expected<view::Model> makeModel(const std::string &text, const CommonOptions &common,
                                   const Progress &progress);
-  Expected<Tracing> openTracing(const std::string &device, unsigned threads,
-                                const CommonOptions &common) const;
+  Expected<TraceSession> openTracing(const std::string &device, unsigned threads,
+                                     const CommonOptions &common) const;
   Expected<view::Tracers> makeTracers(const view::Model &model, const CommonOptions &common,
                                       std::string &device) const;
   Expected<view::Tracers> makePagedTracers(const view::Model &model, const CommonOptions &common,
-                                           Tracing tracing) const;
+                                           TraceSession tracing) const;
   Format kernelFormat(const view::Model &model) const;
 
   std::string input_, format_, device_;

@@ -1,4 +1,4 @@
-// voxc view: a window to walk through a volume.
+// voxc view: a window on a volume.
 #include "viewing/SceneSource.h"
 
 #include "program/Applications.h"

@@ -155,10 +155,10 @@ void Panel::drawPick(const Viewer &viewer) {
     wrapped(viewer.state().brush);
   }
   heading("click");
-  if (viewer.state().touched.empty())
-    ImGui::TextDisabled("a click tells the voxel");
+  if (viewer.state().picked.empty())
+    ImGui::TextDisabled("a click shows the voxel");
   else
-    wrapped(viewer.state().touched);
+    wrapped(viewer.state().picked);
 }
 
 void Panel::drawChart(Viewer &viewer) {

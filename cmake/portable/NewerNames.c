@@ -78,7 +78,7 @@ int pthread_cond_clockwait(pthread_cond_t *condition, pthread_mutex_t *mutex, cl
   return pthread_cond_timedwait(condition, mutex, &today);
 }
 
-/* 2.36: numbers that nobody can foretell; Expat begins its tables with one. Where the kernel has none, they are not that good. */
+/* 2.36: numbers that nobody can predict; Expat begins its tables with one. Where the kernel has none, they are not that good. */
 void arc4random_buf(void *into, size_t size) {
   for (size_t filled = 0; filled < size;) {
     const ssize_t more = getrandom((char *)into + filled, size - filled, 0);

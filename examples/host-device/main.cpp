@@ -107,8 +107,9 @@ int main(int count, char **arguments) {
     std::fprintf(stderr, "usage: host-device FILE.png [WIDTH HEIGHT]\n");
     return 2;
   }
-  const auto number = [&](int i, std::uint32_t usual) {
-    return count == 4 ? std::clamp<std::uint32_t>(std::strtoul(arguments[i], nullptr, 10), 1, 8192) : usual;
+  const auto number = [&](int i, std::uint32_t fallback) {
+    return count == 4 ? std::clamp<std::uint32_t>(std::strtoul(arguments[i], nullptr, 10), 1, 8192)
+                      : fallback;
   };
   const Frame frame = makeFrame(number(2, 640), number(3, 360));
 

@@ -88,8 +88,8 @@ int main(int count, char **arguments) {
     std::fprintf(stderr, "usage: path-tracer FILE.png [WIDTH HEIGHT PATHS]\n");
     return 2;
   }
-  const auto number = [&](int i, std::uint32_t usual) {
-    return count == 5 ? static_cast<std::uint32_t>(std::strtoul(arguments[i], nullptr, 10)) : usual;
+  const auto number = [&](int i, std::uint32_t fallback) {
+    return count == 5 ? static_cast<std::uint32_t>(std::strtoul(arguments[i], nullptr, 10)) : fallback;
   };
   Frame frame = makeFrame(std::clamp(number(2, 640), 1u, 8192u), std::clamp(number(3, 360), 1u, 8192u));
   const std::uint32_t paths = std::max(number(4, 32), 1u);

@@ -44,17 +44,17 @@ VOXC_API void voxc_error_free(voxc_error *error);
 /* Frees what a function returned as a block of its own: texts and words of which that is said. */
 VOXC_API void voxc_free(void *block);
 
-/* How long work tells where it is, and asks whether to go on: `report` returns 0, or anything else to end the
- * work with VOXC_ERROR_INTERRUPTED. It gets the stage's name, its finished share from 0 to 1, and how many
- * things are done; 0 where nothing is counted. It may be called by other threads than the caller's, one at a
- * time. */
+/* How long work reports where it is, and asks whether to go on: `report` returns 0, or anything else to end
+ * the work with VOXC_ERROR_INTERRUPTED. It gets the stage's name, its finished share from 0 to 1, and how
+ * many things are done; 0 where nothing is counted. It may be called by other threads than the caller's, one
+ * at a time. */
 typedef struct voxc_progress {
   int (*report)(void *user, const char *stage, double fraction, uint64_t done);
   void *user;
 } voxc_progress;
 
 /* Structures of options begin with their size, and are begun with their macro: a library that is newer than
- * the program knows by it which members there are. A member that is 0 has its usual value. */
+ * the program knows by it which members there are. A member that is 0 has its default value. */
 
 /* Volumes. */
 
@@ -75,7 +75,7 @@ typedef struct voxc_load_options {
 VOXC_API voxc_error *voxc_volume_load(const char *path, const voxc_load_options *options,
                                       voxc_volume **volume);
 VOXC_API void voxc_volume_free(voxc_volume *volume);
-/* Writes a .hvx file under a temporary name and renames it: `path` is whole, or as it was. `compress` is 0
+/* Writes a .hvx file under a temporary name and renames it: `path` is whole, or unchanged. `compress` is 0
  * or 1. */
 VOXC_API voxc_error *voxc_volume_save(const voxc_volume *volume, const char *path, int compress);
 
@@ -174,8 +174,8 @@ typedef struct voxc_tracer_options {
   const char
       *outputs; /* What is stored of the closest hit, as "voxel,t,colour" (null); "face" may be among it. */
   const char *precision; /* "exact" (null) or "fast". */
-  const char *passes;    /* Passes that choose the walk, with commas between; null: those of the format. */
-  int bounds;            /* 1: for voxc_tracer_trace_bounded. */
+  const char *passes; /* Passes that choose the traversal, with commas between; null: those of the format. */
+  int bounds;         /* 1: for voxc_tracer_trace_bounded. */
 } voxc_tracer_options;
 #define VOXC_TRACER_OPTIONS {.struct_size = sizeof(voxc_tracer_options)}
 

@@ -82,17 +82,17 @@ typedef struct voxc_source {
 VOXC_API voxc_error *voxc_build_source(const voxc_format *format, const voxc_source *source,
                                        const voxc_build_options *options, voxc_volume **volume);
 
-/* What an input tells of itself: sentences that the tools would print, by the thread that called. A function
- * may be null. */
+/* What is to be reported of an input: sentences that the tools would print, by the thread that called. A
+ * function may be null. */
 typedef struct voxc_input_report {
   /* What of a file was left out, or taken otherwise than it may be meant. */
   void (*warning)(void *user, const char *sentence);
-  /* What was done as it was asked for, or as it is usual. */
+  /* What was done as asked for, or by default. */
   void (*note)(void *user, const char *sentence);
   void *user;
 } voxc_input_report;
 
-/* How a file becomes voxels: the options of `voxc build`. A member that is 0 or null has the usual value of
+/* How a file becomes voxels: the options of `voxc build`. A member that is 0 or null has the default value of
  * the command line, and one that means nothing for the input at hand is an error, as there. */
 typedef struct voxc_input_options {
   size_t struct_size;
@@ -119,7 +119,7 @@ typedef struct voxc_input_options {
   const char *interior; /* The inside of things: "keep" (null), "drop" or "fill". */
   const char *fill_colour;         /* Of voxels that fill the inside, as rrggbb or rrggbbaa; null: white. */
   int crop;                        /* 1: moves the smallest box around all voxels to the origin. */
-  const voxc_input_report *report; /* Null: nobody is told. */
+  const voxc_input_report *report; /* Null: nothing is reported. */
 } voxc_input_options;
 #define VOXC_INPUT_OPTIONS {.struct_size = sizeof(voxc_input_options)}
 
@@ -139,8 +139,8 @@ typedef struct voxc_editable voxc_editable;
 VOXC_API voxc_error *voxc_editable_create(const voxc_volume *volume, voxc_editable **editable);
 VOXC_API void voxc_editable_free(voxc_editable *editable);
 
-/* Each of these does one edit as a whole; after an error all is as it was. Voxels outside of the volume stay
- * empty. Errors: a word that the format cannot keep. A word of 0 clears. */
+/* Each of these does one edit as a whole; after an error nothing has changed. Voxels outside of the volume
+ * stay empty. Errors: a word that the format cannot keep. A word of 0 clears. */
 /* Voxels from `low` on, `size` along each axis. */
 VOXC_API voxc_error *voxc_editable_set_box(voxc_editable *editable, const int32_t low[3],
                                            const int32_t size[3], uint32_t word);

@@ -84,7 +84,7 @@ template <typename Options> Options optionsOf(const Options *given) {
   return options;
 }
 
-inline std::string textOr(const char *text, const char *usual) { return text ? text : usual; }
+inline std::string textOr(const char *text, const char *fallback) { return text ? text : fallback; }
 
 /// A caller's progress as ours. It must outlive what reports to it.
 class CallersProgress {

@@ -17,9 +17,9 @@ namespace {
 constexpr std::int32_t kMostPixels = 32768; ///< On an axis.
 
 /// The value of this name among an enumeration's, or an error that names `what` it is.
-template <Named Enum> Expected<Enum> valueOf(const char *text, Enum usual, const std::string &what) {
+template <Named Enum> Expected<Enum> valueOf(const char *text, Enum fallback, const std::string &what) {
   if (!text)
-    return usual;
+    return fallback;
   if (const std::optional<Enum> value = fromString<Enum>(text))
     return *value;
   std::string names;
@@ -117,7 +117,7 @@ voxc_error *voxc_render(voxc_tracer *tracer, const voxc_picture_options *options
         !question.outputs.colour)
       return wrap(Error::usage(
           "a picture is made of the voxel, t and colour of the closest hits: of a tracer with the "
-          "usual query and outputs"));
+          "default query and outputs"));
     const Expected<Clip> clip = clipOf(given);
     if (!clip)
       return wrap(clip.error());

@@ -51,7 +51,7 @@ std::uint32_t NodeStore::appendToArray(unsigned level, std::span<const std::uint
   if (number >> numberBits_ != 0) {
     fail(Error::input("level " + std::to_string(level) + " has more than " + std::to_string(number - 1) +
                       " different sub-volumes, the most that pointers=" + std::to_string(numberBits_) +
-                      " can tell; more bits, or a build without short-pointers, would fit"));
+                      " can number; more bits, or a build without short-pointers, would fit"));
     return 1;
   }
   if (auto appended = array_.append(words); !appended) {
@@ -86,7 +86,7 @@ Error NodeStore::tooManyWords(unsigned level) const {
 bool NodeStore::fits(unsigned level, std::uint64_t words) {
   if (layout_.granuleAfter(words_.size()) + words > maxWords_)
     fail(tooManyWords(level));
-  else if (words > layout_.maxNodeWords() && !layout_.strata[level - 1].slots->keepsEmpty)
+  else if (words > layout_.maxNodeWords() && !layout_.strata[level - 1].slots->hasEmptySlots)
     fail(Error::input("level " + std::to_string(level) + " has a sub-volume of " + std::to_string(words) +
                       " words, more than the 2^32 - 2^28 that a kernel can reach in one where references "
                       "count granules; two levels in its place would fit"));

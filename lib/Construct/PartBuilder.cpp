@@ -38,7 +38,7 @@ PartGrid PartGrid::of(const VoxelSource &source, const Layout &layout) {
 PartGrid PartGrid::of(Int3 extent, const Layout &layout, int log2Side) {
   PartGrid grid;
   grid.log2Side = layout.partSide(log2Side);
-  grid.log2Count = std::max(log2Ceil(longest(extent)) - grid.log2Side, 0);
+  grid.log2Count = std::max(log2Ceil(maxComponent(extent)) - grid.log2Side, 0);
   return grid;
 }
 

@@ -51,7 +51,7 @@ Expected<void> VolumeBuild::openFile() {
   auto writer = VolumeFileWriter::create(options_.path, info_);
   if (!writer)
     return writer.error();
-  if (writer->canSettle())
+  if (writer->canFlush())
     streamWriter_.emplace(std::move(*writer));
   return {};
 }
@@ -61,10 +61,10 @@ Expected<WordStore> VolumeBuild::openWords() {
     return opened.error();
   if (!streamWriter_)
     return WordStore::create(options_.memory, {}, maxWords_);
-  const auto settle = [this](MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes) {
-    return streamWriter_->settle(block, begin, bytes, *options_.memory);
+  const auto flush = [this](MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes) {
+    return streamWriter_->flush(block, begin, bytes, *options_.memory);
   };
-  return WordStore::create(options_.memory, settle, maxWords_);
+  return WordStore::create(options_.memory, flush, maxWords_);
 }
 
 /// The array of indexed sub-volumes stands behind all nodes.
@@ -186,7 +186,7 @@ Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, st
   info_.wordCounts = countsOf(report);
   std::vector<Stream> streams = {wordStream(span)};
   if (streamWriter_ && !pagedWriter_)
-    if (auto finished = streamWriter_->finish(info_, streams, words.settled(), *options_.memory); !finished)
+    if (auto finished = streamWriter_->finish(info_, streams, words.flushed(), *options_.memory); !finished)
       return finished.error();
   Volume volume(std::move(info_), std::move(streams), std::make_shared<const MemoryBlock>(words.take()));
   if (auto saved = save(volume); !saved)

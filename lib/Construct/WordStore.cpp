@@ -9,9 +9,9 @@ namespace {
 
 constexpr std::uint64_t kSmallestStep = std::uint64_t{1} << 20;
 constexpr std::uint64_t kLargestStep = std::uint64_t{64} << 20;
-/// Words that settle do so in pieces of this size, and so are copied in pieces too.
-constexpr std::uint64_t kSettledBytes = std::uint64_t{4} << 20;
-constexpr std::uint64_t kPieceWords = kSettledBytes / sizeof(std::uint32_t);
+/// Words are flushed in pieces of this size, and so are copied in pieces too.
+constexpr std::uint64_t kFlushedBytes = std::uint64_t{4} << 20;
+constexpr std::uint64_t kPieceWords = kFlushedBytes / sizeof(std::uint32_t);
 
 /// Copies by pieces for which compilers and C libraries take moves of vectors: for larger ones they may have
 /// the processor repeat a single instruction, which takes some five times as long where both sides lie alike
@@ -26,11 +26,11 @@ void copyWords(std::span<const std::uint32_t> words, std::uint32_t *to) {
 
 } // namespace
 
-Expected<WordStore> WordStore::create(const std::shared_ptr<WorkingMemory> &memory, Settle settle,
+Expected<WordStore> WordStore::create(const std::shared_ptr<WorkingMemory> &memory, Flush flush,
                                       std::uint64_t mostWords) {
   WordStore store(memory);
-  store.settle_ = std::move(settle);
-  store.settledBegin_ = store.settledEnd_ = WorkingMemory::pageBytes();
+  store.flush_ = std::move(flush);
+  store.flushedBegin_ = store.flushedEnd_ = WorkingMemory::pageBytes();
   if (auto begun = store.begin(memory->reserve(mostWords * sizeof(std::uint32_t))); !begun)
     return begun.error();
   return store;
@@ -76,22 +76,22 @@ Expected<void> WordStore::skip(std::uint64_t words) {
 }
 
 Expected<void> WordStore::makeRoom(std::uint64_t words) {
-  if (settle_)
-    if (auto settled = settleComplete(); !settled)
-      return settled;
+  if (flush_)
+    if (auto flushed = flushComplete(); !flushed)
+      return flushed;
   const std::uint64_t needed = bytes() + words * sizeof(std::uint32_t) - block_.size();
-  const std::uint64_t step = std::clamp(block_.size(), kSmallestStep, settle_ ? kSettledBytes : kLargestStep);
+  const std::uint64_t step = std::clamp(block_.size(), kSmallestStep, flush_ ? kFlushedBytes : kLargestStep);
   const std::uint64_t more = std::max(needed, step);
-  return settle_ ? memory_->extendInMemory(block_, more) : memory_->extend(block_, more);
+  return flush_ ? memory_->extendInMemory(block_, more) : memory_->extend(block_, more);
 }
 
-Expected<void> WordStore::settleComplete() {
+Expected<void> WordStore::flushComplete() {
   const std::uint64_t end = bytes() / WorkingMemory::pageBytes() * WorkingMemory::pageBytes();
-  if (end <= settledEnd_)
+  if (end <= flushedEnd_)
     return {};
-  if (auto settled = settle_(block_, settledEnd_, end - settledEnd_); !settled)
-    return settled;
-  settledEnd_ = end;
+  if (auto flushed = flush_(block_, flushedEnd_, end - flushedEnd_); !flushed)
+    return flushed;
+  flushedEnd_ = end;
   return {};
 }
 

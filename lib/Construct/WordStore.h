@@ -16,11 +16,11 @@ namespace voxc {
 class WordStore {
 public:
   /// Writes pages of the block to where they shall stay, [begin, begin + bytes), and maps them from there.
-  using Settle = std::function<Expected<void>(MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes)>;
+  using Flush = std::function<Expected<void>(MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes)>;
 
-  /// Words in working memory, `mostWords` at most; if `settle` is given, they move there as they become
+  /// Words in working memory, `mostWords` at most; if `flush` is given, they move there as they become
   /// complete. Error: `Environment`.
-  static Expected<WordStore> create(const std::shared_ptr<WorkingMemory> &memory, Settle settle = {},
+  static Expected<WordStore> create(const std::shared_ptr<WorkingMemory> &memory, Flush flush = {},
                                     std::uint64_t mostWords = std::uint64_t{1} << 32);
 
   /// Words of which there are views.
@@ -31,19 +31,19 @@ public:
 
   std::uint64_t size() const { return size_; }
   std::span<const std::uint32_t> span() const { return {words(), size_}; }
-  /// Bytes [first, second) were settled.
-  std::pair<std::uint64_t, std::uint64_t> settled() const { return {settledBegin_, settledEnd_}; }
+  /// Bytes [first, second) were flushed.
+  std::pair<std::uint64_t, std::uint64_t> flushed() const { return {flushedBegin_, flushedEnd_}; }
 
   /// Appends words; the caller has seen to it that there are not too many in all. Error: `Environment`.
   Expected<void> append(std::span<const std::uint32_t> words);
-  /// The same for so many zeros, which take memory only where they settle.
+  /// The same for so many zeros, which take memory only where they are flushed.
   Expected<void> skip(std::uint64_t words);
-  /// The first page is never settled.
+  /// The first page is never flushed.
   void setRoot(std::uint32_t offset) { setHead(0, offset); }
   void setHead(std::uint64_t word, std::uint32_t value) { words()[word] = value; }
-  /// Words that are there, to be changed. Not of words that settle.
+  /// Words that are there, to be changed. Not of words that are flushed.
   std::uint32_t *at(std::uint64_t word) const { return words() + word; }
-  /// Forgets all words but the first; keeps the memory. Not for words that settle.
+  /// Forgets all words but the first; keeps the memory. Not for words that are flushed.
   void clear() { size_ = 1; }
 
   /// The memory itself; the store is empty afterwards.
@@ -55,14 +55,14 @@ private:
   std::uint32_t *words() const { return reinterpret_cast<std::uint32_t *>(block_.data()); }
   std::uint64_t bytes() const { return size_ * sizeof(std::uint32_t); }
   Expected<void> makeRoom(std::uint64_t words);
-  Expected<void> settleComplete();
+  Expected<void> flushComplete();
 
   std::shared_ptr<WorkingMemory> memory_;
   MemoryBlock block_;
-  Settle settle_;
+  Flush flush_;
   std::uint64_t size_ = 0;
-  std::uint64_t settledBegin_ = 0;
-  std::uint64_t settledEnd_ = 0;
+  std::uint64_t flushedBegin_ = 0;
+  std::uint64_t flushedEnd_ = 0;
 };
 
 } // namespace voxc

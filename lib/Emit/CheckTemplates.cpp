@@ -63,7 +63,7 @@ template <typename Enum> void demandEach(const std::string &folder) {
 int main() {
   using namespace voxc;
   check("cpu-runtime", cpuFiles());
-  demandEach<Descent>("walk");
+  demandEach<Descent>("traversal");
   demandEach<Precision>("step");
   demandEach<Addressing>("memory");
   demandEach<RayStage>("header");

@@ -24,7 +24,9 @@ constexpr LevelConstant kConstruct[] = {
     {"CHILDREN", [](const Plan &p, std::size_t i) -> Value { return 1 << at(p, i).log2Children(); }},
     {"LOG2_CELL", [](const Plan &p, std::size_t i) -> Value { return at(p, i).log2Cell; }},
     {"LOG2_SIDE",
-     [](const Plan &p, std::size_t i) -> Value { return longest(at(p, i).log2Size()) + at(p, i).log2Cell; }},
+     [](const Plan &p, std::size_t i) -> Value {
+       return maxComponent(at(p, i).log2Size()) + at(p, i).log2Cell;
+     }},
     // Its words.
     {"RANKED", [](const Plan &p, std::size_t i) -> Value { return at(p, i).ranked; }},
     {"HAS_LEAF_WORDS", [](const Plan &p, std::size_t i) -> Value { return at(p, i).hasLeafWords(); }},

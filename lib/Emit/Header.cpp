@@ -77,7 +77,7 @@ Expected<glsl::Module> moduleOf(KernelBuilder builder, const HeaderLanguageKind 
     builder.add(file);
   builder.add("header/load");
   addKernelFunctions(builder);
-  builder.add("walk_on");
+  builder.add("continue_traversal");
   for (const std::string_view file :
        builder.plan().bounded ? std::span<const std::string_view>(kQueries) : kFirst)
     builder.add(file);
@@ -127,9 +127,9 @@ std::string emitHeader(const Plan &plan, std::string_view name, HeaderLanguage l
   const FormatWords words = headerWords(plan, name);
   KernelBuilder builder(plan, words);
   builder.define("COUNT_LOOKUPS", "false");
-  builder.define("SETTLES", "true"); // Exact arithmetic is at hand.
+  builder.define("EXACT_FALLBACK", "true"); // Exact arithmetic is at hand.
   // Rays that begin far away are moved near the volume, by sums that are rounded once and not put in another
-  // order. Where nothing keeps a compiler from doing so, such rays are settled instead.
+  // order. Where nothing keeps a compiler from doing so, such rays are resolved instead.
   builder.define("COMES_NEAR", kind.keepsSums ? "true" : "false");
   const auto module = moduleOf(std::move(builder), kind, headerPrefix(name));
   if (!module)

@@ -31,7 +31,7 @@ std::string preamble(const Plan &plan) {
 std::vector<const char *> around(const Plan &plan) {
   if (plan.isOfPoints())
     return {"records/device", "point/answer", "point/dispatch"};
-  return {"walk_on", "bounds", "records/device", "buffers", "dispatch"};
+  return {"continue_traversal", "bounds", "records/device", "buffers", "dispatch"};
 }
 
 } // namespace

@@ -39,43 +39,43 @@ std::string upperCase(std::string_view name) {
 
 /// What the files of cpu-runtime call, and the members that they look at: always, of rays with bounds, and of
 /// rays whose arrival is asked for.
-const glsl::Names kCalled = {"AGAIN",
-                             "CLOSED",
+const glsl::Names kCalled = {"RETRY",
+                             "NO_PENDING_STEP",
                              "VOLUME_SIZE",
                              "answer",
-                             "begin_walk",
+                             "begin_traversal",
                              "colour_of",
-                             "end_walk",
+                             "end_traversal",
                              "goes_on",
                              "intersect_level_1",
                              "is_in_volume",
-                             "left_walk",
+                             "deferred_traversal",
                              "load_direction",
                              "load_origin",
                              "narrow",
-                             "settle",
-                             "settle_step",
-                             "settled",
+                             "resolve_cell",
+                             "resolve_step",
+                             "exact_step",
                              "step_over_voxel",
                              "store",
                              "store_hit",
-                             "walk_at",
-                             "walk_on",
+                             "traversal_at",
+                             "continue_traversal",
                              "words_without_arrival",
-                             "words_of_left",
+                             "words_of_deferred",
                              ".cell",
-                             ".certain",
+                             ".cell_margin",
                              ".direction",
                              ".falls",
                              ".inverse",
                              ".late",
-                             ".lowest",
+                             ".origin_low",
                              ".open",
                              ".origin",
-                             ".slack",
+                             ".t_error",
                              ".voxel"};
-const glsl::Names kCalledOfBounds = {"bound_walk", "bounds_of",   "place_of_entry",
-                                     "skip_to",    "walk_within", ".tmin"};
+const glsl::Names kCalledOfBounds = {"bound_traversal", "bounds_of",       "place_of_entry",
+                                     "skip_to",         "traverse_within", ".tmin"};
 const glsl::Names kCalledOfArrivals = {"arrival_at",   "entered_face", "first_axis",
                                        "time_exactly", "words_of",     ".axis"};
 
@@ -96,7 +96,7 @@ Expected<glsl::Module> members(KernelBuilder builder) {
     builder.add("paging");
   addKernelFunctions(builder);
   if (!plan.isOfPoints()) {
-    builder.add("walk_on");
+    builder.add("continue_traversal");
     builder.add("bounds");
   }
   builder.add("records/packets");

@@ -37,7 +37,7 @@ constexpr glsl::External kExternals[] = {{"gl_GlobalInvocationID", "uvec3"},
                                          {"PAGES", "uint"},
                                          {"FEWEST_LANES", "uint"},
                                          {"SPREAD", "float"},
-                                         {"SETTLES", "bool"},
+                                         {"EXACT_FALLBACK", "bool"},
                                          {"COMES_NEAR", "bool"},
                                          {"COUNT_WORDS", "bool"},
                                          {"COUNT_LOOKUPS", "bool"},
@@ -158,7 +158,7 @@ void KernelBuilder::addText(std::string_view text, bool isApart) { append(parsed
 Expected<glsl::Module> KernelBuilder::specialised(const glsl::Names &roots) && {
   if (problem_)
     return std::move(*problem_);
-  const bool inDoubles = plan_.steps == Steps::Float64;
+  const bool inDoubles = plan_.steps == StepArithmetic::Float64;
   glsl::renameTypes(module_,
                     {{"real", inDoubles ? "double" : "float"}, {"real3", inDoubles ? "dvec3" : "vec3"}});
   glsl::inlineValues(module_);

@@ -33,16 +33,16 @@ constexpr PlanConstant kPlan[] = {
     {"BOUNDED", [](const Plan &p) -> Value { return p.bounded; }},
     {"CONE", [](const Plan &p) -> Value { return p.stopsAboveVoxels(); }},
     // The arithmetic of steps, and what a turn of a loop waits for.
-    {"DOUBLES", [](const Plan &p) -> Value { return p.steps == Steps::Float64; }},
+    {"DOUBLES", [](const Plan &p) -> Value { return p.steps == StepArithmetic::Float64; }},
     {"BY_BITS", [](const Plan &p) -> Value { return p.compare == Compare::Bits; }},
-    {"REFINES", [](const Plan &p) -> Value { return p.steps == Steps::Refined; }},
+    {"REFINES", [](const Plan &p) -> Value { return p.steps == StepArithmetic::Refined; }},
     {"PACKETS", [](const Plan &p) -> Value { return p.packing == Packing::Packets; }},
     {"NARROW_PACKETS", [](const Plan &p) -> Value { return p.packetWidth == PacketWidth::Narrow; }},
     {"EXACT", [](const Plan &p) -> Value { return p.isExact(); }},
     {"IEEE", [](const Plan &p) -> Value { return p.arithmetic == Arithmetic::Ieee; }},
     {"NEAREST", [](const Plan &p) -> Value { return p.arithmetic == Arithmetic::Nearest; }},
     {"KEEPS_CELL", [](const Plan &p) -> Value { return p.speculative; }},
-    {"TELLS_FACES", [](const Plan &p) -> Value { return p.gapFaces == GapFaces::Lookup; }},
+    {"REPORTS_FACES", [](const Plan &p) -> Value { return p.spanFaces == SpanFaces::Lookup; }},
     {"CUT", [](const Plan &p) -> Value { return p.loops == Loops::Cut; }},
     {"LOOK_UPS_MAY_BE_CUT",
      [](const Plan &p) -> Value {
@@ -52,8 +52,7 @@ constexpr PlanConstant kPlan[] = {
     {"OCCUPIED", [](const Plan &) -> Value { return 0xffffffffu; }},
     {"VALUES_APART", [](const Plan &p) -> Value { return p.layout.ranksVoxels(); }},
     {"DEFERS_VALUES", [](const Plan &p) -> Value { return p.defersValues; }},
-    {"LOWEST_FINDS_VALUES_LATER",
-     [](const Plan &p) -> Value { return findsValueLater(p.layout.strata.back()); }},
+    {"LOWEST_DEFERS_VALUES", [](const Plan &p) -> Value { return defersValue(p.layout.strata.back()); }},
     {"LOWEST_HAS_LEAF_WORDS",
      [](const Plan &p) -> Value {
        return !p.layout.strata.back().isGrid() && !p.layout.strata.back().leavesInSlots();
@@ -123,7 +122,7 @@ constexpr LevelConstant kLevel[] = {
      [](const Plan &p, std::size_t i) -> Value { return p.defersValues && p.layout.holdsVoxels(i); }},
     {"ONE_VOXEL_STEPS", [](const Plan &p, std::size_t i) -> Value { return p.traversals[i].voxelSteps; }},
     {"MARCHES", [](const Plan &p, std::size_t i) -> Value { return reportsBall(at(p, i)); }},
-    {"CHOOSES_FACES", [](const Plan &p, std::size_t i) -> Value { return findsValueLater(at(p, i)); }},
+    {"CHOOSES_FACES", [](const Plan &p, std::size_t i) -> Value { return defersValue(at(p, i)); }},
     {"TELLS_HALF",
      [](const Plan &p, std::size_t i) -> Value {
        return at(p, i).slots->region(at(p, i)) == EmptyRegion::Octant;

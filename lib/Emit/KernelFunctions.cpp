@@ -20,24 +20,24 @@ constexpr const char *kAfterStep[] = {"step", "near", "enter", "prepare", "root"
 class FunctionEmitter {
 public:
   explicit FunctionEmitter(KernelBuilder &builder)
-      : builder_(builder), plan_(builder.plan()), walk_(kindOf(plan_.walk)) {}
+      : builder_(builder), plan_(builder.plan()), levels_(kindOf(plan_.levelTraversal)) {}
 
   void emit() {
     file("memory/at");
     if (plan_.isOfPoints())
       pointFunctions();
     else
-      walkFunctions();
+      traversalFunctions();
     builder_.addText("// ---- What follows is the same in every kernel ----\n");
     builder_.endFormat();
   }
 
 private:
-  /// A walk along a ray, and what is asked of its hit.
-  void walkFunctions() {
+  /// A traversal along a ray, and what is asked of its hit.
+  void traversalFunctions() {
     for (const char *path : kBeforeStep)
       file(path);
-    if (plan_.steps == Steps::Refined || plan_.arithmetic == Arithmetic::Nearest)
+    if (plan_.steps == StepArithmetic::Refined || plan_.arithmetic == Arithmetic::Nearest)
       file("step/compensated");
     else if (plan_.arithmetic == Arithmetic::Ieee)
       file("step/doubles");
@@ -47,7 +47,7 @@ private:
     file("time");
     file("entered_face");
     file("arrival");
-    if (walk_.nests)
+    if (levels_.nests)
       file("unit");
     if (plan_.stopsAboveVoxels())
       file("detail/cone");
@@ -57,9 +57,9 @@ private:
       file("rank/order");
     levels(&FunctionEmitter::level);
     if (isFlat())
-      flatWalk();
-    if (walk_.fromRoot)
-      file("walk/direct");
+      flatTraversal();
+    if (levels_.fromRoot)
+      file("traversal/direct");
     if (looksUpValues)
       ranks();
     if (storesValue(plan_.outputs))
@@ -73,13 +73,13 @@ private:
     levels(&FunctionEmitter::pointLevel);
   }
 
-  bool isFlat() const { return walk_.isOneLoop && !walk_.fromRoot; }
+  bool isFlat() const { return levels_.isOneLoop && !levels_.fromRoot; }
 
   void beginFormat() {
     builder_.beginFormat();
     builder_.addText("// ---- The format: " + plan_.layout.format + " ----\n");
     if (hasLayers())
-      file("walk/tree");
+      file("traversal/tree");
     const bool hasFields = plan_.layout.ranksVoxels() && plan_.outputs.colour;
     if (hasFields || plan_.layout.hasArray())
       file("field");
@@ -115,7 +115,7 @@ private:
         stratum.isGrid() ? "const ivec3 " + prefix + "LOG2_SIZE = " + intVector(stratum.log2Size()) + ";\n"
                          : number("DEPTH", stratum.depth) + number("BRANCH", stratum.log2Shape.x);
     return own + number("LOG2_CELL", stratum.log2Cell) +
-           number("LOG2_SIDE", longest(stratum.log2Size()) + stratum.log2Cell);
+           number("LOG2_SIDE", maxComponent(stratum.log2Size()) + stratum.log2Cell);
   }
 
   /// What a level's functions speak of: its size, and how a node keeps its children, if there are nodes.
@@ -139,17 +139,17 @@ private:
     beginLevel(index);
     if (traversal.sampled)
       leaf(index, isSingle ? "detail/single" : stratum.isGrid() ? "detail/grid" : "detail/tree");
-    if (walk_.fromRoot)
+    if (levels_.fromRoot)
       return locate(index);
     if (isFlat() ? reportsBall(stratum) : !descent.keepsNodes && !isSingle)
-      leaf(index, "walk/within");
+      leaf(index, "traversal/within");
     if (reportsBall(stratum))
-      leaf(index, "walk/march");
+      leaf(index, "traversal/march");
     if (isFlat())
       return;
     if (descent.byLayers)
-      layers(index, "walk/unrolled_node");
-    leaf(index, "walk/" + std::string(toString(traversal.descent)));
+      layers(index, "traversal/unrolled_node");
+    leaf(index, "traversal/" + std::string(toString(traversal.descent)));
   }
 
   void pointLevel(std::size_t index) {
@@ -158,7 +158,7 @@ private:
   }
 
   /// The level as a function from a cell to what is there.
-  void locate(std::size_t index) { down(index, "walk/direct"); }
+  void locate(std::size_t index) { down(index, "traversal/direct"); }
 
   /// From a voxel to its rank, level by level, and from there to its value if that is asked.
   void ranks() {
@@ -176,21 +176,21 @@ private:
   }
 
   /// One loop, and what each level adds to its parts.
-  void flatWalk() {
-    file("walk/flat/path");
+  void flatTraversal() {
+    file("traversal/flat/path");
     levels(&FunctionEmitter::flatLevel);
-    file("walk/flat");
+    file("traversal/flat");
   }
 
   void flatLevel(std::size_t index) {
-    leaf(index, plan_.layout.strata[index].hasLayers() ? "walk/flat/tree" : "walk/flat/cell");
-    leaf(index, "walk/flat/march");
-    leaf(index, "walk/flat/climb");
+    leaf(index, plan_.layout.strata[index].hasLayers() ? "traversal/flat/tree" : "traversal/flat/cell");
+    leaf(index, "traversal/flat/march");
+    leaf(index, "traversal/flat/climb");
   }
 
   KernelBuilder &builder_;
   const Plan &plan_;
-  const WalkKind &walk_;
+  const LevelTraversalKind &levels_;
 };
 
 } // namespace

@@ -27,12 +27,12 @@ constexpr std::array<std::string_view, 4> kAnswers = {"first hits of rays with",
 void addPackets(TemplateNames &names, const Plan &plan) {
   const bool isPaged = plan.addressing == Addressing::Paged;
   auto &holes = names.holes;
-  holes["real"] = plan.steps == Steps::Float64 ? "double" : "float";
+  holes["real"] = plan.steps == StepArithmetic::Float64 ? "double" : "float";
   holes["sixth-word"] = plan.outputs.face ? "lookups or words read, else a face" : "lookups or words read";
-  holes["is-inside"] = plan.bounded ? "is_in_reach(walk)" : "is_in_volume(walk.cell)";
+  holes["is-inside"] = plan.bounded ? "is_in_reach(traversal)" : "is_in_volume(traversal.cell)";
   holes["ray-words"] = plan.bounded ? "8" : "6";
   holes["granule-words"] = std::to_string(1 << plan.layout.log2Granule);
-  holes["cut-short"] = isPaged ? "kernel.lacks_page ? DONE : LET_GO" : "LET_GO";
+  holes["cut-short"] = isPaged ? "kernel.lacks_page ? DONE : YIELDED" : "YIELDED";
   holes["may-have-waited"] = isPaged ? "true" : "false";
   holes["waited-or"] = isPaged ? "waited || " : "";
 }

@@ -82,21 +82,21 @@ Expected<void> InteriorTally::add(const Brick &brick) {
   memory_->relieve(4 * sizeof waiting);
   if ((waiting.faces[0] | waiting.faces[1] | waiting.faces[2]) != 0)
     return insert(waiting);
-  settle(waiting);
+  flush(waiting);
   return {};
 }
 
 std::uint64_t InteriorTally::finish() {
   for (const Waiting &brick : table_.span())
     if (brick.key != 0)
-      settle(brick);
+      flush(brick);
   table_ = ScratchArray<Waiting>(memory_);
   used_ = 0;
   return interior_;
 }
 
 /// Counts a brick for which all is known: a neighbour that has not come is empty.
-void InteriorTally::settle(Waiting brick) {
+void InteriorTally::flush(Waiting brick) {
   for (int axis = 0; axis < 3; ++axis)
     if ((brick.met >> axis & 1) == 0)
       restrictFace(brick.candidates, axis, Side::High, 0);
@@ -146,7 +146,7 @@ Expected<void> InteriorTally::sweep(std::uint64_t now) {
     if (waits(brick))
       place(brick);
     else if (brick.key != 0)
-      settle(brick);
+      flush(brick);
   }
   return {};
 }

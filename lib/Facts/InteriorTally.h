@@ -37,7 +37,7 @@ private:
   Expected<void> insert(const Waiting &brick);
   Expected<void> sweep(std::uint64_t now);
   void place(const Waiting &brick);
-  void settle(Waiting brick);
+  void flush(Waiting brick);
 
   std::shared_ptr<WorkingMemory> memory_;
   ScratchArray<Waiting> table_;

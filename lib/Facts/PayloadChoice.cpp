@@ -27,7 +27,7 @@ std::vector<PayloadChoice> choosePayload(const Facts &facts) {
       colours.words.count * kVoxelsOfColour <= facts.voxels)
     choices.push_back({"palette(" + std::to_string(bits) + ")", true,
                        counted(colours) + ", which indices of " + std::to_string(bits) +
-                           (bits == 1 ? " bit" : " bits") + " tell apart"});
+                           (bits == 1 ? " bit" : " bits") + " distinguish"});
   choices.push_back({"rgba8", true, counted(colours) + ", too many for a palette to gain"});
   choices.push_back({"rgba8", false, counted(colours)});
   return choices;

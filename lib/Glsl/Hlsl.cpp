@@ -86,7 +86,7 @@ std::string Hlsl::beforeGlobal(const std::string &qualifiers) const {
 
 namespace {
 
-/// Walk made_walk(int3 cell, ..): a function for each struct that is made of its members.
+/// Traversal made_traversal(int3 cell, ..): a function for each struct that is made of its members.
 Declaration maker(const Declaration &structure, const std::string &name) {
   Declaration function;
   function.kind = Declaration::Kind::Function;

@@ -71,7 +71,8 @@ template <typename Visit> void forEachType(const Declaration &declaration, const
     });
 }
 
-/// The variable that an expression is or is a part of: `walk` of walk.cell.x; "" if it is another value.
+/// The variable that an expression is or is a part of: `traversal` of traversal.cell.x; "" if it is another
+/// value.
 inline std::string_view rootOf(const Expression &expression) {
   const Expression *at = &expression;
   while (at->kind == Expression::Kind::Member || at->kind == Expression::Kind::Index)

@@ -33,64 +33,65 @@ constexpr AttributeList kOutputs = {"outputs",
 } // namespace
 
 const TypedAttribute<Precision> kPrecisionAttribute = {
-    {"precision", AttributeEffect::Walk, kEnumNames<Precision>,
+    {"precision", AttributeEffect::Traversal, kEnumNames<Precision>,
      "which hits the kernel gives: the exact ones, or those of plain float32, wrong only by rounding"},
     as<Precision>};
 
 const TypedAttribute<Detail> kDetailAttribute = {
-    {"detail", AttributeEffect::Walk, kEnumNames<Detail>,
+    {"detail", AttributeEffect::Traversal, kEnumNames<Detail>,
      "where the kernel stops: at voxels, or already at what looks smaller than a cone around the ray"},
     as<Detail>};
 
-const TypedAttribute<Walk> kLevelsAttribute = {
-    {"levels", AttributeEffect::Walk, kEnumNames<Walk>,
+const TypedAttribute<LevelTraversal> kLevelsAttribute = {
+    {"levels", AttributeEffect::Traversal, kEnumNames<LevelTraversal>,
      "how the kernel goes from level to level: by a loop for each, by one "
      "loop through all, by one that goes down "
      "from the root in each turn, or by what is fastest as a rule",
-     nullptr, "--nested-walk, --flat-walk or --direct-walk"},
-    as<Walk>};
+     nullptr, "--nested-traversal, --flat-traversal or --direct-traversal"},
+    as<LevelTraversal>};
 
 const TypedAttribute<Stack> kStackAttribute = {
-    {"stack", AttributeEffect::Walk, kEnumNames<Stack>,
-     "where a walk keeps the nodes above a cell, if it keeps any: in memory of each ray's own, or in that of "
+    {"stack", AttributeEffect::Traversal, kEnumNames<Stack>,
+     "where a traversal keeps the nodes above a cell, if it keeps any: in memory of each ray's own, or in "
+     "that of "
      "a "
      "group of rays, which kernels for the cpu and functions for others do not have",
      nullptr, "--shared-stack"},
     as<Stack>};
 
 const TypedAttribute<Query> kQueryAttribute = {
-    {"query", AttributeEffect::Walk, kEnumNames<Query>,
+    {"query", AttributeEffect::Traversal, kEnumNames<Query>,
      "what the kernel answers: the closest hit, whether there is any, whether there is a voxel where the ray "
      "begins, or the t of the closest hit alone"},
     as<Query>};
 
 const TypedAttribute<bool> kBoundsAttribute = {
-    {"bounds", AttributeEffect::Walk, kNoValues,
+    {"bounds", AttributeEffect::Traversal, kNoValues,
      "whether each ray has bounds, a tmin and a tmax, between which the kernel looks for voxels"},
     isSecond};
 
-const TypedAttribute<bool> kVoxelAttribute = {{"voxel", AttributeEffect::Walk, kYesValues,
+const TypedAttribute<bool> kVoxelAttribute = {{"voxel", AttributeEffect::Traversal, kYesValues,
                                                "whether the kernel stores which voxel a closest hit is",
                                                &kOutputs},
                                               isFirst};
 
-const TypedAttribute<bool> kTAttribute = {
-    {"t", AttributeEffect::Walk, kYesValues, "whether the kernel stores the t of a closest hit", &kOutputs},
-    isFirst};
+const TypedAttribute<bool> kTAttribute = {{"t", AttributeEffect::Traversal, kYesValues,
+                                           "whether the kernel stores the t of a closest hit", &kOutputs},
+                                          isFirst};
 
 const TypedAttribute<bool> kFaceAttribute = {
-    {"face", AttributeEffect::Walk, kNoValues,
+    {"face", AttributeEffect::Traversal, kNoValues,
      "whether the kernel stores by which face of its voxel the ray enters at a closest hit", &kOutputs},
     isSecond};
 
-const TypedAttribute<bool> kColourAttribute = {{"colour", AttributeEffect::Walk, kYesValues,
+const TypedAttribute<bool> kColourAttribute = {{"colour", AttributeEffect::Traversal, kYesValues,
                                                 "whether the kernel stores the colour of a closest hit",
                                                 &kOutputs},
                                                isFirst};
 
 const TypedAttribute<bool> kIndexAttribute = {
     {"index",
-     AttributeEffect::Walk,
+     AttributeEffect::Traversal,
      kNoValues,
      "whether the kernel stores, in place of the colour, the number of "
      "a closest hit's voxel among all of the "
@@ -192,8 +193,9 @@ bool AttributeSet::set(AttributeKinds taken, const AttributeKind &kind, std::str
   return true;
 }
 
-void AttributeSet::eraseWalk() {
-  std::erase_if(attributes_, [](const Chosen &set) { return set.kind->effect == AttributeEffect::Walk; });
+void AttributeSet::eraseTraversal() {
+  std::erase_if(attributes_,
+                [](const Chosen &set) { return set.kind->effect == AttributeEffect::Traversal; });
 }
 
 std::string printAttributes(const AttributeSet &set, AttributeKinds taken) {

@@ -50,9 +50,9 @@ int Format::log2CellSide(std::size_t index) const {
 }
 
 Format storageFormat(Format format) {
-  format.attributes.eraseWalk();
+  format.attributes.eraseTraversal();
   for (Level &level : format.levels)
-    level.attributes.eraseWalk();
+    level.attributes.eraseTraversal();
   return format;
 }
 

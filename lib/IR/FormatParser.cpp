@@ -36,7 +36,7 @@ std::string rightSpelling(const LevelKind &kind, const std::vector<Argument> &ar
   const bool isWhole =
       arguments.size() <= kind.parameters.size() &&
       std::ranges::all_of(kind.parameters.subspan(arguments.size()),
-                          [](const ParameterKind &parameter) { return parameter.usual.has_value(); });
+                          [](const ParameterKind &parameter) { return parameter.defaultValue.has_value(); });
   const bool counts =
       isWhole && std::ranges::all_of(arguments, [](const Argument &a) { return a.value > 0; });
   if (!counts)

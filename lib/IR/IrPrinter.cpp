@@ -7,10 +7,10 @@
 namespace voxc {
 namespace {
 
-/// Without those at the end that are as usual.
+/// Without defaults at the end.
 std::string parameters(const Level &level) {
   std::size_t written = level.parameters.size();
-  while (written > 0 && level.kind->parameters[written - 1].usual == level.parameters[written - 1])
+  while (written > 0 && level.kind->parameters[written - 1].defaultValue == level.parameters[written - 1])
     --written;
   std::string text;
   for (std::size_t i = 0; i < written; ++i)

@@ -92,7 +92,7 @@ namespace {
 
 std::size_t requiredParameters(const LevelKind &kind) {
   return static_cast<std::size_t>(std::ranges::count_if(
-      kind.parameters, [](const ParameterKind &parameter) { return !parameter.usual; }));
+      kind.parameters, [](const ParameterKind &parameter) { return !parameter.defaultValue; }));
 }
 
 std::string plural(std::size_t count) {
@@ -117,7 +117,7 @@ std::string signature(const LevelKind &kind) {
   std::string end = ")";
   const char *separator = "(";
   for (const ParameterKind &parameter : kind.parameters) {
-    if (parameter.usual) {
+    if (parameter.defaultValue) {
       text += '[';
       end.insert(0, "]");
     }
@@ -156,7 +156,7 @@ bool setParameters(Level &level, const std::vector<Argument> &arguments, SourceR
   }
   bool inRange = true;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
-    const std::uint32_t value = i < arguments.size() ? arguments[i].value : *kinds[i].usual;
+    const std::uint32_t value = i < arguments.size() ? arguments[i].value : *kinds[i].defaultValue;
     if (value < kinds[i].least || value > kinds[i].most) {
       diagnostics.error(arguments[i].range, outOfRange(kinds[i], value));
       inRange = false;

@@ -7,7 +7,7 @@
 namespace voxc {
 namespace {
 
-std::atomic<std::size_t> allowed = kUsualLevels;
+std::atomic<std::size_t> allowed = kDefaultLevels;
 
 } // namespace
 

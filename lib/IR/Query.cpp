@@ -60,7 +60,7 @@ std::string_view problemOfQuestion(const Format &format) {
   const AttributeKind &ranked = *kIndexAttribute.needs;
   const bool areRanked = format.attributes.value(ranked) != ranked.values.front();
   if (question.bounds && format.attributes.get(kDetailAttribute) != Detail::Full)
-    return "stops above voxels, whose bounds cannot be told there; leave out bounds=yes, or detail=cone";
+    return "stops above voxels, whose bounds cannot be decided there; leave out bounds=yes, or detail=cone";
   if (question.outputs.index && (!areRanked || format.attributes.get(kDetailAttribute) != Detail::Full))
     return "asks for the numbers of voxels, which levels count with values=apart, and whose cubes have none; "
            "build with --values-apart, and leave out detail=cone";

@@ -117,7 +117,7 @@ constexpr std::array kFeatures = std::to_array<FileFeature>({
     {"nii, hdr and img", "NIfTI 1 and 2, Analyze; sform, qform; RGB24, RGBA32; both byte orders", Read,
      "RAS+"},
     {"nii, hdr and img", "several volumes", Warned, "the first; `--volume N` another"},
-    {"nii, hdr and img", "extensions of the header; a qform that tells another place than the sform", Warned,
+    {"nii, hdr and img", "extensions of the header; a qform that gives another place than the sform", Warned,
      "left out"},
     {"npy, npz", "numbers, bool, colours", Read, ""},
     {"vti", "ascii, binary, appended raw and base 64, zlib; both byte orders, UInt32 and UInt64 headers",

@@ -89,10 +89,10 @@ Expected<void> runKernelPasses(llvm::Module &module, llvm::TargetMachine &machin
   llvm::cantFail(builder.parsePassPipeline(passes, pipeline()));
   std::string errors;
   llvm::LLVMContext &context = module.getContext();
-  auto usual = context.getDiagnosticHandler();
+  auto previous = context.getDiagnosticHandler();
   context.setDiagnosticHandler(std::make_unique<ErrorLog>(errors));
   passes.run(module, modules);
-  context.setDiagnosticHandler(std::move(usual));
+  context.setDiagnosticHandler(std::move(previous));
   return errors.empty() ? Expected<void>() : Error::input(errors);
 }
 

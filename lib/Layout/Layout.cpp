@@ -55,7 +55,7 @@ void Layout::complete() {
     stratum.lowest = holdsVoxels(i);
     stratum.ranked = values == Values::Apart;
     stratum.implied =
-        stratum.lowest && areAlike && stratum.depth > 0 && stratum.slots && stratum.slots->tellsByMasks;
+        stratum.lowest && areAlike && stratum.depth > 0 && stratum.slots && stratum.slots->hasChildMask;
     auto *const above = i > 0 ? std::get_if<Numbers>(&strata[i - 1].encoding) : nullptr;
     stratum.numberBits = above ? above->bits : 0;
     stratum.arrayHead = above ? static_cast<int>(headWords()) - 1 : 0;
@@ -101,7 +101,7 @@ std::size_t Layout::stratumOfPart(int log2Side) const {
 }
 
 int Layout::partSide(int log2Side) const {
-  const int whole = longest(log2Extent());
+  const int whole = maxComponent(log2Extent());
   const Stratum &stratum = strata[stratumOfPart(log2Side)];
   const int step = std::max(stratum.log2Shape.x, 1);
   // Construction goes through the cells of a grid by cubes of any size, through a tree by its nodes.

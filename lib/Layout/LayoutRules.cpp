@@ -25,7 +25,7 @@ std::string granuleProblem(const Stratum &stratum, int log2Granule) {
   if (!stratum.slots->countsWords.empty())
     return "references " + std::string(stratum.slots->countsWords) + ", and cannot count " + granules +
            "; leave out one of both";
-  if (stratum.isGrid() && stratum.slots->tellsByMasks && stratum.log2Children() > kMaxLog2MaskedCells)
+  if (stratum.isGrid() && stratum.slots->hasChildMask && stratum.log2Children() > kMaxLog2MaskedCells)
     return "a masked grid has at most 2^" + std::to_string(kMaxLog2MaskedCells) +
            " cells where references count " + granules + "; two masked levels in its place would do";
   return {};

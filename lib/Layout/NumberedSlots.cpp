@@ -20,13 +20,13 @@ std::string problem(const Stratum &stratum) {
   if (stratum.log2Children() > kMaxLog2IndexedCells)
     return "it has more than 2^" + std::to_string(kMaxLog2IndexedCells) +
            " cells, too many for short pointers; two masked levels in its place would do";
-  if (numbers.counts == Counts::Octant && !stratum.ranked)
+  if (numbers.counts == VoxelCountsOf::Octant && !stratum.ranked)
     return "counts of octants are counts of voxels, which stand behind short pointers with values=apart";
   return {};
 }
 
 std::string problemOfMasked(const Stratum &stratum) {
-  if (stratum.numbers()->counts == Counts::Octant)
+  if (stratum.numbers()->counts == VoxelCountsOf::Octant)
     return "counts of octants stand behind the short pointers of a masked(2, 2, 2)";
   return problem(stratum);
 }
@@ -41,13 +41,14 @@ std::string problemBelow(const Stratum *below) {
   return leadsOn ? "" : std::string(kMisplacedNumbers);
 }
 
-bool countsOctants(const Stratum &stratum) { return stratum.numbers()->counts == Counts::Octant; }
+bool countsOctants(const Stratum &stratum) { return stratum.numbers()->counts == VoxelCountsOf::Octant; }
 
 constexpr std::string_view kCountsWords = "of short pointers lead to an array in 2^32 words";
 
 std::uint64_t wordsWith(const Stratum &stratum, std::uint64_t slots, std::uint64_t octants) {
   const Numbers &numbers = *stratum.numbers();
-  const std::uint64_t counts = numbers.counts == Counts::Each ? slots : octants - (octants > 0 ? 1 : 0);
+  const std::uint64_t counts =
+      numbers.counts == VoxelCountsOf::Each ? slots : octants - (octants > 0 ? 1 : 0);
   const std::uint64_t bits = slots * static_cast<std::uint64_t>(numbers.bits) +
                              counts * static_cast<std::uint64_t>(stratum.countBits());
   return MaskShape(stratum).words() + wordsOfFields(bits, 1);
@@ -80,7 +81,7 @@ public:
     Child child = {.exists = true, .leaf = true, .at = node_};
     child.value = subVolume(index);
     if (stratum_.ranked)
-      child.before = own_.counts == Counts::Octant ? beforeInOctant(index) : count(masks_.rank(index));
+      child.before = own_.counts == VoxelCountsOf::Octant ? beforeInOctant(index) : count(masks_.rank(index));
     return child;
   }
 
@@ -205,7 +206,7 @@ extern const SlotKind kNumberedSlots = {.name = "numbered",
                                         .givesCells = true,
                                         .countsOctants = countsOctants,
                                         .countsWords = kCountsWords,
-                                        .tellsByMasks = true,
+                                        .hasChildMask = true,
                                         .ranks = true,
                                         .ordersVoxelsByRows = true,
                                         .cost = {wordsRead, maskLine, maskedSlotLine},
@@ -230,7 +231,7 @@ extern const SlotKind kNumberedBrickSlots = {.name = "numbered-brick",
                                              .givesCells = true,
                                              .countsOctants = countsOctants,
                                              .countsWords = kCountsWords,
-                                             .tellsByMasks = true,
+                                             .hasChildMask = true,
                                              .ranks = true,
                                              .region = brickRegion,
                                              .cost = {wordsReadOfBrick},

@@ -119,7 +119,7 @@ bool checkOctantGrid(WordReader &words, std::uint64_t array, std::uint64_t numbe
     return false;
   for (std::uint64_t byte = grid.cells; byte < end; ++byte)
     if (byteAt(words, byte) == 0) {
-      words.fail("a grid tells of an octant that is empty");
+      words.fail("a grid names an octant that is empty");
       return false;
     }
   return true;

@@ -32,7 +32,7 @@ template <typename Visit> void forEachPlace(Int3 log2Shape, Int3 low, int log2Si
 }
 
 template <typename Visit> void forEachPlace(const Stratum &stratum, Visit &&visit) {
-  forEachPlace(stratum.log2Shape, {}, longest(stratum.log2Shape), visit);
+  forEachPlace(stratum.log2Shape, {}, maxComponent(stratum.log2Shape), visit);
 }
 
 /// Replaces a reference by its new place. False if there is none.

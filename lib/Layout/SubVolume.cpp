@@ -48,7 +48,7 @@ private:
   }
 
   void node(std::uint64_t at, Int3 low, int layer, Ranks ranks) {
-    const int log2Side = longest(stratum_.log2Shape) * layer;
+    const int log2Side = maxComponent(stratum_.log2Shape) * layer;
     if (visitor_.done())
       return;
     if (!stratum_.isGrid() && visitor_.countsCells(log2Side) && isCounted(at, layer))
@@ -80,7 +80,7 @@ private:
 
   /// Nodes lie anywhere in memory, so the way to some siblings is begun before the first of them is entered.
   void children(std::uint64_t at, Int3 low, int layer, Ranks ranks) {
-    const int log2Child = longest(stratum_.log2Shape) * (layer - 1);
+    const int log2Child = maxComponent(stratum_.log2Shape) * (layer - 1);
     std::array<Place, 8> waiting;
     std::size_t count = 0;
     const auto enterAll = [&] {
@@ -155,7 +155,7 @@ Lookup lookUp(const WordReader &words, const Stratum &stratum, std::uint64_t off
                         cell.y >> shape.y * (layer - 1) & ((1 << shape.y) - 1),
                         cell.z >> shape.z * (layer - 1) & ((1 << shape.z) - 1)};
     const Child child = stratum.slots->child(words, stratum, node, place);
-    const int log2Child = longest(shape) * (layer - 1);
+    const int log2Child = maxComponent(shape) * (layer - 1);
     if (!child.exists)
       return {0, log2Child + child.log2Around, rank};
     rank += voxelsBefore(child, log2Child);

@@ -56,7 +56,7 @@ private:
     const bool isCube = shape.x == shape.y && shape.y == shape.z;
     return rule(takes(*stratum.slots, stratum.encoding),
                 level() + " has " + std::string(stratum.slots->name) + " slots, and what others have") &&
-           rule(shape.x >= 0 && shape.y >= 0 && shape.z >= 0 && longest(shape) <= kMaxLog2Extent &&
+           rule(shape.x >= 0 && shape.y >= 0 && shape.z >= 0 && maxComponent(shape) <= kMaxLog2Extent &&
                     stratum.depth >= 0 && stratum.depth <= kMaxLog2Extent && stratum.log2Cell >= 0,
                 "an axis has at most 2^" + std::to_string(kMaxLog2Extent) + " voxels") &&
            rule(!stratum.isGrid() || stratum.depth == 1, "cells that lie inline are those of one layer") &&
@@ -69,7 +69,7 @@ private:
   void cellSide(const Stratum &stratum) {
     const bool isLast = layout_.holdsVoxels(index_);
     const Stratum &below = layout_.strata[isLast ? index_ : index_ + 1];
-    const int side = isLast ? 0 : longest(below.log2Size()) + below.log2Cell;
+    const int side = isLast ? 0 : maxComponent(below.log2Size()) + below.log2Cell;
     isSound_ &= rule(stratum.log2Cell == side,
                      "the cells of " + level() + " have 2^" + std::to_string(stratum.log2Cell) +
                          " voxels a side, but what is below has 2^" + std::to_string(side));
@@ -77,7 +77,7 @@ private:
 
   bool extent() {
     const Int3 log2 = layout_.log2Extent();
-    if (longest(log2) <= kMaxLog2Extent)
+    if (maxComponent(log2) <= kMaxLog2Extent)
       return true;
     const SourceRange all =
         ranges_.empty() ? SourceRange{} : SourceRange{ranges_.front().begin, ranges_.back().end};
@@ -90,13 +90,14 @@ private:
   void stratum(const Stratum &stratum) {
     const bool isLast = layout_.holdsVoxels(index_);
     rule(stratum.empty() != Empty::Transparent || layout_.alpha == Alpha::Positive,
-         "distances in the slots of the last level cannot be told from voxels unless none has an alpha of 0; "
+         "distances in the slots of the last level cannot be distinguished from voxels unless none has an "
+         "alpha of 0; "
          "state that by alpha=positive (the pass visible-voxels)");
     const std::string name = level() + ", " + stratum.level + ", ";
     rule(!stratum.ranked || stratum.slots->ranks,
          name + "does not count voxels, which values=apart asks for; raw, distance, masked and svdag do");
     rule(!stratum.ranked || !isLast || stratum.implied || !stratum.slots->ranks,
-         name + "has no masks that tell voxels, which values=apart asks of the last level; svdag and masked "
+         name + "has no masks that mark voxels, which values=apart asks of the last level; svdag and masked "
                 "have");
     neighbours(stratum);
     rule(stratum.slots->placeBits == 32 || index_ == 0 || layout_.strata[index_ - 1].empty() != Empty::Tagged,

@@ -8,25 +8,25 @@
 namespace voxc {
 namespace {
 
-class WindowWalk {
+class WindowTraversal {
 public:
-  WindowWalk(const WordReader &words, const Stratum &stratum, const Cube &window, WindowVisit visit)
+  WindowTraversal(const WordReader &words, const Stratum &stratum, const Cube &window, WindowVisit visit)
       : words_(words), stratum_(stratum), window_(window), visit_(visit) {}
 
   /// A node of the layer, whose first cell is `low`, and which the window meets.
   void node(std::uint64_t at, Int3 low, int layer, std::uint64_t rank) {
-    const int log2Child = longest(stratum_.log2Shape) * (layer - 1);
+    const int log2Child = maxComponent(stratum_.log2Shape) * (layer - 1);
     if (log2Child >= window_.log2Side)
       return around(at, low, layer, rank);
     const SlotKind &slots = *stratum_.slots;
-    const bool isWhole = longest(stratum_.log2Shape) * layer <= window_.log2Side;
+    const bool isWhole = maxComponent(stratum_.log2Shape) * layer <= window_.log2Side;
     // Tables are gone through entry by entry, and words that nobody checked may tell of very many.
     if (isWhole && !slots.lookUpLoops)
       return slots.visit(words_, stratum_, at, [&](Int3 place, const Child &child) {
         enter(child, low + place * (1 << log2Child), layer, rank);
       });
     const Int3 first = isWhole ? Int3{} : (window_.low - low) >> log2Child;
-    const int log2Side = std::min(window_.log2Side - log2Child, longest(stratum_.log2Shape));
+    const int log2Side = std::min(window_.log2Side - log2Child, maxComponent(stratum_.log2Shape));
     forEachPlace(stratum_.log2Shape, first, log2Side, [&](Int3 place) {
       if (const Child child = slots.child(words_, stratum_, at, place); child.exists)
         enter(child, low + place * (1 << log2Child), layer, rank);
@@ -36,7 +36,7 @@ public:
 private:
   /// The one child that the window lies in.
   void around(std::uint64_t at, Int3 low, int layer, std::uint64_t rank) {
-    const int log2Child = longest(stratum_.log2Shape) * (layer - 1);
+    const int log2Child = maxComponent(stratum_.log2Shape) * (layer - 1);
     const Int3 place = (window_.low - low) >> log2Child;
     if (const Child child = stratum_.slots->child(words_, stratum_, at, place); child.exists)
       enter(child, low + place * (1 << log2Child), layer, rank);
@@ -44,7 +44,7 @@ private:
 
   /// A child that is not empty, from `low` on.
   void enter(const Child &child, Int3 low, int layer, std::uint64_t rank) {
-    const int log2Child = longest(stratum_.log2Shape) * (layer - 1);
+    const int log2Child = maxComponent(stratum_.log2Shape) * (layer - 1);
     rank += voxelsBefore(child, log2Child);
     if (!child.leaf)
       return layer > 1 ? node(child.at, low, layer - 1, rank) : cells({low, 0}, words_[child.at], rank, 0);
@@ -74,7 +74,7 @@ void visitWindow(const WordReader &words, const Stratum &stratum, std::uint64_t 
       visit({{}, 0}, words[offset], 0, 0);
     return;
   }
-  WindowWalk(words, stratum, window, visit).node(offset, {}, stratum.depth, 0);
+  WindowTraversal(words, stratum, window, visit).node(offset, {}, stratum.depth, 0);
 }
 
 } // namespace voxc

@@ -1,7 +1,7 @@
-// The oracle: voxels as runs, of a volume or a source, and the exact walk over them.
+// The oracle: voxels as runs, of a volume or a source, and the exact traversal over them.
 #include "voxc/Oracle/Oracle.h"
 
-#include "ExactWalk.h"
+#include "ExactTraversal.h"
 #include "ParallelRanges.h"
 #include "VoxelRuns.h"
 

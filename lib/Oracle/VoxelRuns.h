@@ -16,7 +16,7 @@ namespace voxc {
 int log2BoundingSide(Int3 extent);
 
 /// The voxels of a volume of any extent up to 2^21 an axis. Empty space between voxels is a run of word 0, so
-/// memory follows the voxels, not the extent, and a walk skips empty cubes as large as an octree's.
+/// memory follows the voxels, not the extent, and a traversal skips empty cubes as large as an octree's.
 class VoxelRuns {
 public:
   explicit VoxelRuns(Int3 extent) : extent_(extent) {}

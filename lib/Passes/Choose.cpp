@@ -18,7 +18,7 @@ bool isInScope(ChoiceScope scope, const Format &format, std::size_t index) {
   case ChoiceScope::LastLevel:
     return index + 1 == format.levels.size();
   case ChoiceScope::Trees:
-    return level.kind->isTree() && level.log2Size() != Int3{}; // Of one cell there is nothing to walk.
+    return level.kind->isTree() && level.log2Size() != Int3{}; // Of one cell there is nothing to traverse.
   }
   return false;
 }

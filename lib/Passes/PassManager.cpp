@@ -9,7 +9,7 @@
 namespace voxc {
 namespace {
 
-/// A pass as it was written: alone, or with its number.
+/// A pass as written: alone, or with its number.
 struct Call {
   const Pass *pass;
   std::optional<int> number;

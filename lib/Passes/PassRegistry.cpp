@@ -58,7 +58,7 @@ const std::array<Pass, 26> kPasses = {{
      .effect = AttributeEffect::Storage,
      .summary = "keep colours in 5, 6 and 5 bits: lossy",
      .details = "Without it, colours are kept as they are. With it, each channel is the nearest of those "
-                 "that its bits tell, and alpha is 255; a build tells the largest and the mean error of "
+                 "that its bits encode, and alpha is 255; a build reports the largest and the mean error of "
                  "each channel, and so does voxc verify --against. Blocks of values-apart then take fewer "
                  "bits. Sets values-apart too.",
      .choice = {&kPayloadAttribute, "rgb565", ChoiceScope::Format, Unfit::Error, &kValuesAttribute}},
@@ -77,7 +77,7 @@ const std::array<Pass, 26> kPasses = {{
      .summary = "keep the colours of voxels apart from their shape, compressed",
      .details = "Without it, a voxel's colour stands where its shape does, and two equal shapes of other "
                  "colours share nothing. With it, levels hold the shape alone, with counts by which the "
-                 "walk's end finds the rank of a voxel, how many come before it; its colour is the one of "
+                 "traversal's end finds the rank of a voxel, how many come before it; its colour is the one of "
                  "that rank, in blocks of 128, each stored by what takes the fewest bits of runs, "
                  "palettes and differences. A hit decodes one colour, of at most 64 bytes. The last level "
                  "must be a G or an M, those above R, D, M or G.",
@@ -108,8 +108,8 @@ const std::array<Pass, 26> kPasses = {{
      .effect = AttributeEffect::Storage,
      .summary = "keep of the last level's small grids the octants that are not empty",
      .details = "Without it, each M(2^3) that numbers of short-pointers lead to is two words. With it, a "
-                 "byte tells which of its eight octants have voxels, and each of these has a byte of its "
-                 "own: about a quarter less. Sixteen grids have a word in common that tells where their "
+                 "byte says which of its eight octants have voxels, and each of these has a byte of its "
+                 "own: about a quarter less. Sixteen grids have a word in common that says where their "
                  "bytes begin, so that a kernel reads three words or more where it read two. Unchanged "
                  "without short-pointers.",
      .choice = {&kMasksAttribute, "octants", ChoiceScope::LastLevel, Unfit::LeftOut}},
@@ -141,9 +141,9 @@ const std::array<Pass, 26> kPasses = {{
      .choice = {&kMirrorAttribute, "yes", ChoiceScope::LastLevel, Unfit::LeftOut}},
     {.name = "octant-distances",
      .effect = AttributeEffect::Storage,
-     .summary = "let D levels tell empty cubes by octant in place of an L1 distance",
-     .details = "Without it, an empty cell of a D level tells how far the nearest full cell is, and a "
-                 "ray looks up the cells that it may pass one by one. With it, the cell tells, for each "
+     .summary = "let D levels store empty cubes by octant in place of an L1 distance",
+     .details = "Without it, an empty cell of a D level stores how far the nearest full cell is, and a "
+                 "ray looks up the cells that it may pass one by one. With it, the cell stores, for each "
                  "octant of directions, the side of the largest empty cube that begins there and goes "
                  "that way: a ray leaves that cube in one step. M is 15 at most, and 7 in the words of "
                  "voxels. Unchanged where no level is a D.",
@@ -153,7 +153,7 @@ const std::array<Pass, 26> kPasses = {{
      .summary = "keep the distances of D levels in the words of their empty cells",
      .details = "Without it, a cell of a D level has two words, of which one is always without use: a "
                  "value or a distance. With it, an empty cell's word holds its distance. References then "
-                 "have 31 bits, and a bit tells them from distances; voxels are told by their alpha, so "
+                 "have 31 bits, and a bit distinguishes them from distances; voxels are recognised by their alpha, so "
                  "that a D as the last level needs visible-voxels first. Unchanged where no level is a D.",
      .choice = {&kDistancesAttribute, "in-slot", ChoiceScope::Levels}},
     {.name = "merge-grids",
@@ -172,58 +172,58 @@ const std::array<Pass, 26> kPasses = {{
      .function = splitGrids,
      .rewrites = true},
     {.name = "restart-sv",
-     .effect = AttributeEffect::Walk,
-     .summary = "walk octrees and DAGs from the root at each lookup, without a stack",
-     .details = "The stack walk keeps the nodes above the current cell. Restarting keeps nothing and "
+     .effect = AttributeEffect::Traversal,
+     .summary = "traverse octrees and DAGs from the root at each lookup, without a stack",
+     .details = "The stack traversal keeps the nodes above the current cell. Restarting keeps nothing and "
                  "descends from the sub-volume's root at each lookup, which is faster on shallow trees. "
                  "Unchanged where no level is a tree.",
-     .choice = {&kWalkAttribute, "restart", ChoiceScope::Trees}},
+     .choice = {&kTraversalAttribute, "restart", ChoiceScope::Trees}},
     {.name = "unroll-sv",
-     .effect = AttributeEffect::Walk,
-     .summary = "walk octrees and DAGs by a loop for each height, without a stack",
-     .details = "The stack walk is one loop, which goes up and down. Unrolling writes out its levels: a "
+     .effect = AttributeEffect::Traversal,
+     .summary = "traverse octrees and DAGs by a loop for each height, without a stack",
+     .details = "The stack traversal is one loop, which goes up and down. Unrolling writes out its levels: a "
                  "function for each height of the tree, which goes over the children of a node and calls "
                  "the one below. Excludes restart-sv. Unchanged where no level is a tree.",
-     .choice = {&kWalkAttribute, "unrolled", ChoiceScope::Trees}},
-    {.name = "nested-walk",
-     .effect = AttributeEffect::Walk,
-     .summary = "walk by a loop for each level, which calls that of the next",
-     .details = "What formats of few levels have as a rule; others have direct-walk without being asked. Excludes "
-                 "flat-walk and direct-walk.",
+     .choice = {&kTraversalAttribute, "unrolled", ChoiceScope::Trees}},
+    {.name = "nested-traversal",
+     .effect = AttributeEffect::Traversal,
+     .summary = "traverse by a loop for each level, which calls that of the next",
+     .details = "What formats of few levels have as a rule; others have direct-traversal without being asked. Excludes "
+                 "flat-traversal and direct-traversal.",
      .choice = {&kLevelsAttribute, "nested"}},
-    {.name = "flat-walk",
-     .effect = AttributeEffect::Walk,
-     .summary = "walk through all levels by one loop",
+    {.name = "flat-traversal",
+     .effect = AttributeEffect::Traversal,
+     .summary = "traverse through all levels by one loop",
      .details = "Without it, each level has a loop, which calls that of the next. One loop through the "
                  "nodes of all levels makes a smaller kernel, which is faster where rays of a group are "
                  "on different levels, and slower where they are together. Excludes restart-sv and "
                  "unroll-sv, and gives way to detail=cone.",
      .choice = {&kLevelsAttribute, "flat"}},
-    {.name = "direct-walk",
-     .effect = AttributeEffect::Walk,
-     .summary = "walk by one loop that goes down from the root in each turn",
+    {.name = "direct-traversal",
+     .effect = AttributeEffect::Traversal,
+     .summary = "traverse by one loop that goes down from the root in each turn",
      .details = "Without it, each level has a loop, which calls that of the next. With it there is one "
                  "loop, and each turn goes down through all levels, straight and without a loop, to a "
                  "voxel or to what is known to be empty around: where a format has few layers of nodes, "
                  "rays of a group then never wait for each other. Formats of 8 levels and more have it "
-                 "without being asked. Excludes flat-walk, restart-sv and unroll-sv, and gives way to "
+                 "without being asked. Excludes flat-traversal, restart-sv and unroll-sv, and gives way to "
                  "detail=cone.",
      .choice = {&kLevelsAttribute, "direct"}},
     {.name = "shared-stack",
-     .effect = AttributeEffect::Walk,
+     .effect = AttributeEffect::Traversal,
      .summary = "keep the nodes above a cell in memory that a group of rays shares",
-     .details = "Stack walks and flat ones keep references to the nodes above the current cell, an array "
+     .details = "Stack traversals and flat ones keep references to the nodes above the current cell, an array "
                  "for each ray, which a device puts into registers or into memory behind its caches. With "
                  "it, the arrays of a group of rays stand in the memory that the group shares, beside "
                  "each other, 256 bytes for each layer of a tree. Kernels for the cpu have no such "
                  "memory, nor have functions for the shaders of others: theirs stays private. Unchanged "
-                 "where walks keep no nodes: give it after the pass that chooses the walk.",
+                 "where traversals keep no nodes: give it after the pass that chooses the traversal.",
      .function = sharedStack},
-    {.name = "strip-walk",
-     .effect = AttributeEffect::Walk,
+    {.name = "strip-traversal",
+     .effect = AttributeEffect::Traversal,
      .summary = "remove the attributes that concern the kernel alone",
      .details = "Gives the format as volumes store it.",
-     .function = stripWalk,
+     .function = stripTraversal,
      .rewrites = true},
 }};
 // clang-format on

@@ -1,7 +1,7 @@
-// shared-stack: walks keep the nodes above a cell in the memory that a group of rays shares.
+// shared-stack: traversals keep the nodes above a cell in the memory that a group of rays shares.
 //
 // Contract: sets stack=shared on the format. The volume stays as it is, and so do the hits. Unchanged where
-// no walk keeps nodes: a direct one, or one of grids and of trees that restart or are unrolled.
+// no traversal keeps nodes: a direct one, or one of grids and of trees that restart or are unrolled.
 #include "voxc/IR/Choices.h"
 #include "voxc/IR/Stack.h"
 #include "voxc/Passes/Pass.h"
@@ -11,11 +11,11 @@
 namespace voxc {
 
 PassResult sharedStack(Format &format, Diagnostics &diagnostics) {
-  const WalkKind &walk = kindOf(format.attributes.get(kLevelsAttribute));
+  const LevelTraversalKind &traversal = kindOf(format.attributes.get(kLevelsAttribute));
   const bool keeps =
-      walk.keepsNodes || (!walk.fromRoot && std::ranges::any_of(format.levels, &Level::keepsNodes));
+      traversal.keepsNodes || (!traversal.fromRoot && std::ranges::any_of(format.levels, &Level::keepsNodes));
   if (!keeps)
-    diagnostics.note({}, "no walk of the format keeps the nodes above a cell");
+    diagnostics.note({}, "no traversal of the format keeps the nodes above a cell");
   return keeps && format.setAttribute(kStackAttribute, toString(Stack::Shared)) ? PassResult::Changed
                                                                                 : PassResult::Unchanged;
 }

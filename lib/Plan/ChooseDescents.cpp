@@ -3,14 +3,14 @@
 
 namespace voxc {
 
-Descent usualDescent(const Stratum &stratum) {
+Descent defaultDescent(const Stratum &stratum) {
   return stratum.isGrid() ? Descent::Index : stratum.depth == 0 ? Descent::Single : Descent::Stack;
 }
 
 void chooseDescents(Plan &plan) {
   for (std::size_t i = 0; i < plan.traversals.size(); ++i)
     if (plan.layout.strata[i].depth == 0)
-      plan.traversals[i].descent = usualDescent(plan.layout.strata[i]);
+      plan.traversals[i].descent = defaultDescent(plan.layout.strata[i]);
 }
 
 } // namespace voxc

@@ -1,4 +1,4 @@
-// choose-steps: doubles where float32 would leave most rays to be settled.
+// choose-steps: doubles where float32 would defer most rays to exact arithmetic.
 #include "Passes.h"
 
 #include <algorithm>
@@ -6,8 +6,9 @@
 namespace voxc {
 namespace {
 
-/// The steps of a walk, and what float32 gets wrong of each, grow with the side: from here on more than half
-/// of a camera's rays are left once or more, and what settles them takes longer than doubles for all.
+/// The steps of a traversal, and what float32 gets wrong of each, grow with the side: from here on more than
+/// half of a camera's rays are deferred once or more, and what resolves them takes longer than doubles for
+/// all.
 constexpr int kLog2LongSide = 11;
 
 } // namespace
@@ -18,9 +19,9 @@ void chooseSteps(Plan &plan) {
   if (plan.isOfPoints() || !plan.isExact() || plan.arithmetic != Arithmetic::Ieee)
     return;
   if (plan.packing == Packing::Packets)
-    plan.steps = Steps::Refined;
+    plan.steps = StepArithmetic::Refined;
   else if (isLong)
-    plan.steps = Steps::Float64;
+    plan.steps = StepArithmetic::Float64;
 }
 
 } // namespace voxc

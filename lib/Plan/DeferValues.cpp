@@ -3,8 +3,8 @@
 
 namespace voxc {
 
-/// A walk that stops at voxels alone needs one value at its end. One that stops above them too hands on a
-/// colour from wherever it stops, so that each stop has its own.
+/// A traversal that stops at voxels alone needs one value at its end. One that stops above them too hands on
+/// a colour from wherever it stops, so that each stop has its own.
 void deferValues(Plan &plan) {
   if (plan.stopsAboveVoxels() && storesValue(plan.outputs))
     plan.defersValues = false;

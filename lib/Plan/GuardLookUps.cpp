@@ -5,8 +5,8 @@
 
 namespace voxc {
 
-/// A look-up that loops may be cut short where the device cuts loops: it has so many turns for all of a walk,
-/// which are enough for a single point.
+/// A look-up that loops may be cut short where the device cuts loops: it has so many turns for all of a
+/// traversal, which are enough for a single point.
 void guardLookUps(Plan &plan) {
   if (plan.loops != Loops::Cut || plan.isOfPoints())
     return;

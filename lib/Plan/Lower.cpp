@@ -15,9 +15,9 @@ Plan lowerToPlan(const Format &format, const PlanOptions &options) {
   plan.outputs = question.outputs;
   plan.bounded = question.bounds;
   for (const Level &level : format.levels)
-    plan.traversals.push_back({.descent = level.kind->isTree() ? level.get(kWalkAttribute) : Descent{}});
+    plan.traversals.push_back({.descent = level.kind->isTree() ? level.get(kTraversalAttribute) : Descent{}});
   plan.constructions.resize(format.levels.size());
-  if (plan.isOfPoints()) // There is no walk to choose.
+  if (plan.isOfPoints()) // There is no traversal to choose.
     return plan;
   plan.precision = format.attributes.get(kPrecisionAttribute);
   plan.detail = format.attributes.get(kDetailAttribute);
@@ -25,7 +25,7 @@ Plan lowerToPlan(const Format &format, const PlanOptions &options) {
     plan.stack = format.attributes.get(kStackAttribute);
   // One loop stops at voxels alone: cones leave no choice.
   if (!plan.stopsAboveVoxels())
-    plan.walk = format.attributes.get(kLevelsAttribute);
+    plan.levelTraversal = format.attributes.get(kLevelsAttribute);
   return plan;
 }
 

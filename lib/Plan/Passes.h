@@ -6,14 +6,14 @@
 namespace voxc {
 
 /// The descent that a stratum has where nothing else is asked for.
-Descent usualDescent(const Stratum &stratum);
+Descent defaultDescent(const Stratum &stratum);
 
 void chooseDescents(Plan &plan);
-void chooseWalk(Plan &plan);
+void chooseTraversal(Plan &plan);
 void chooseSteps(Plan &plan);
 void chooseComparison(Plan &plan);
 void chooseSpeculation(Plan &plan);
-void chooseGapFaces(Plan &plan);
+void chooseSpanFaces(Plan &plan);
 void choosePacketWidth(Plan &plan);
 void placeStack(Plan &plan);
 void placeStops(Plan &plan);

@@ -13,7 +13,7 @@ template <> struct IrTraits<Plan> {
   static constexpr std::string_view kName = "plan";
   static void verify(const Plan &plan, Diagnostics &diagnostics) { voxc::verify(plan, diagnostics); }
   static std::string print(const Plan &plan) { return printPlan(plan); }
-  /// The strata that are walked otherwise; a plan does not know where they were written.
+  /// The strata that are traversed otherwise; a plan does not know where they were written.
   static std::vector<SourceRange> changedParts(const Plan &before, const Plan &after) {
     std::vector<SourceRange> changed;
     for (std::size_t i = 0; i < after.traversals.size(); ++i)
@@ -31,16 +31,17 @@ namespace {
 
 constexpr std::array<PlanPass, 15> kPasses = {{
     {"choose-descents", "what layers leave no choice of: a tree without any is one leaf",
-     "First: what follows asks how a stratum is walked, not what it is.", chooseDescents},
-    {"choose-walk",
+     "First: what follows asks how a stratum is traversed, not what it is.", chooseDescents},
+    {"choose-traversal",
      "nested loops, one flat loop or a direct one: as asked; else direct from 8 levels on, and where "
-     "the first level tells octants above at most 8 layers of nodes, or all others, two at least, are "
+     "the first level stores octants above at most 8 layers of nodes, or all others, two at least, are "
      "masked grids of 4 cells a side; but nested where restart-sv, "
      "unroll-sv or detail=cone need it",
-     "After the descents: they may ask for nesting.", chooseWalk},
+     "After the descents: they may ask for nesting.", chooseTraversal},
     {"choose-steps",
-     "of exact walks, where the device has doubles: in packets sums of two float32 for steps that one cannot "
-     "tell, "
+     "of exact traversals, where the device has doubles: in packets sums of two float32 for steps that one "
+     "cannot "
+     "decide, "
      "else doubles for all steps through 2^11 voxels a side and more; float32 everywhere else",
      "Anywhere: it asks for nothing that others choose.", chooseSteps},
     {"choose-comparison",
@@ -48,28 +49,29 @@ constexpr std::array<PlanPass, 15> kPasses = {{
      "numbers",
      "After the steps, which choose the numbers.", chooseComparison},
     {"choose-speculation",
-     "a direct exact walk reads what is in the next cell before it is known if the step there was sure",
-     "After the walk: others do more between two reads.", chooseSpeculation},
-    {"choose-gap-faces",
-     "on devices the look-ups of a direct walk make the faces of what they find empty, while they wait; in "
+     "a direct exact traversal reads what is in the next cell before it is known if the step there was sure",
+     "After the traversal: others do more between two reads.", chooseSpeculation},
+    {"choose-span-faces",
+     "on devices the look-ups of a direct traversal make the faces of what they find empty, while they wait; "
+     "in "
      "packets the step does, once for all levels",
-     "After the walk: in others the step makes them.", chooseGapFaces},
+     "After the traversal: in others the step makes them.", chooseSpanFaces},
     {"choose-packet-width",
      "packets are narrow where each of several levels has a loop, in which lanes wait for those in another",
-     "After the walk, which has the loops.", choosePacketWidth},
-    {"place-stack", "where the nodes above a cell are kept: as asked, if the walk keeps any",
-     "After the walk, which may keep none.", placeStack},
+     "After the traversal, which has the loops.", choosePacketWidth},
+    {"place-stack", "where the nodes above a cell are kept: as asked, if the traversal keeps any",
+     "After the traversal, which may keep none.", placeStack},
     {"place-stops", "where a kernel of detail=cone may stop, and where it then searches a colour",
      "After the descents: a single leaf has no inner node to stop at.", placeStops},
     {"defer-values", "a voxel's value is looked up once it is hit, unless detail=cone stops elsewhere too",
      "Anywhere: it asks for nothing that others choose.", deferValues},
     {"drop-values", "voxels whose values nobody asks for are not read", "Anywhere.", dropValues},
     {"guard-lookups",
-     "where the device cuts loops, a walk asks after each look-up that loops whether it was cut", "Anywhere.",
-     guardLookUps},
+     "where the device cuts loops, a traversal asks after each look-up that loops whether it was cut",
+     "Anywhere.", guardLookUps},
     {"choose-voxel-steps",
-     "nested walks step over single voxels in a shorter way, where nothing tells of more than one",
-     "After the walk and the descents.", chooseVoxelSteps},
+     "nested traversals step over single voxels in a shorter way, where nothing reports more than one",
+     "After the traversal and the descents.", chooseVoxelSteps},
     {"choose-bricks", "construction goes through the voxels below a tree by bricks of 8 x 8 x 8",
      "Anywhere: it is of construction alone.", chooseBricks},
     {"choose-look-ahead",

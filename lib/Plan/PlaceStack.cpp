@@ -1,4 +1,4 @@
-// place-stack: a walk that keeps no nodes has no stack to place.
+// place-stack: a traversal that keeps no nodes has no stack to place.
 #include "Passes.h"
 
 #include <algorithm>
@@ -8,8 +8,8 @@ namespace {
 
 bool keepsStack(const Plan &plan) {
   const auto keepsNodes = [](const Traversal &traversal) { return kindOf(traversal.descent).keepsNodes; };
-  const WalkKind &walk = kindOf(plan.walk);
-  return walk.keepsNodes || (walk.nests && std::ranges::any_of(plan.traversals, keepsNodes));
+  const LevelTraversalKind &traversal = kindOf(plan.levelTraversal);
+  return traversal.keepsNodes || (traversal.nests && std::ranges::any_of(plan.traversals, keepsNodes));
 }
 
 } // namespace

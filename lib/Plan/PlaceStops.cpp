@@ -1,5 +1,5 @@
-// place-stops: where the walk of a kernel of detail=cone may stop. It stops only above what can be searched
-// for a colour, so that it stops at the same places where no colour is asked for.
+// place-stops: where the traversal of a kernel of detail=cone may stop. It stops only above what can be
+// searched for a colour, so that it stops at the same places where no colour is asked for.
 #include "Passes.h"
 
 #include "voxc/Layout/SlotKind.h"
@@ -7,12 +7,12 @@
 namespace voxc {
 namespace {
 
-/// Slots of a grid in which a colour is searched one by one, as log2: more would take longer than the walk
-/// that is saved.
+/// Slots of a grid in which a colour is searched one by one, as log2: more would take longer than the
+/// traversal that is saved.
 constexpr int kLog2SearchedSlots = 12;
 
 bool isSearchable(const Stratum &stratum) {
-  return !stratum.slots->keepsEmpty || stratum.log2Children() <= kLog2SearchedSlots;
+  return !stratum.slots->hasEmptySlots || stratum.log2Children() <= kLog2SearchedSlots;
 }
 
 } // namespace

@@ -18,7 +18,7 @@ template <typename Number> bool parseNumber(Number &number, std::string_view tex
   return problem == std::errc() && end == text.data() + text.size();
 }
 
-/// What a member of Owner is as text, by its type; values that are as in a new Owner are usual.
+/// What a member of Owner is as text, by its type; values that are as in a new Owner are defaults.
 template <typename Owner, auto Member> std::string printMember(const Owner &owner) {
   const auto &value = owner.*Member;
   if (value == Owner{}.*Member)
@@ -81,10 +81,10 @@ constexpr Field<Owner> field(std::string_view name, std::string_view values) {
   return {name, printMember<Owner, Member>, parseMember<Owner, Member>, values};
 }
 
-/// An output, printed if it is not as usual.
+/// An output, printed if it is not the default.
 template <bool Outputs::*Output> std::string printOutput(const Plan &plan) {
-  const bool isUsual = plan.outputs.*Output == Outputs{}.*Output;
-  return isUsual ? "" : plan.outputs.*Output ? "yes" : "no";
+  const bool isDefault = plan.outputs.*Output == Outputs{}.*Output;
+  return isDefault ? "" : plan.outputs.*Output ? "yes" : "no";
 }
 
 template <bool Outputs::*Output> bool parseOutput(Plan &plan, std::string_view text) {
@@ -150,7 +150,7 @@ constexpr std::array<Field<Plan>, 26> kPlanFields = {{
     {"values", printValues, parseValues, "in-place, apart"},
     {"granule", printGranule, parseGranule, "a number of words, a power of two"},
     field<Plan, &Plan::addressing>("addressing"),
-    field<Plan, &Plan::walk>("levels"),
+    field<Plan, &Plan::levelTraversal>("levels"),
     field<Plan, &Plan::stack>("stack"),
     field<Plan, &Plan::precision>("precision"),
     field<Plan, &Plan::steps>("steps"),
@@ -166,7 +166,7 @@ constexpr std::array<Field<Plan>, 26> kPlanFields = {{
     field<Plan, &Plan::packing>("packing"),
     field<Plan, &Plan::bounded>("bounds"),
     field<Plan, &Plan::speculative>("speculative"),
-    field<Plan, &Plan::gapFaces>("gap-faces"),
+    field<Plan, &Plan::spanFaces>("span-faces"),
     field<Plan, &Plan::compare>("compare"),
     field<Plan, &Plan::packetWidth>("packet-width"),
     field<Plan, &Plan::defersValues>("defers-values"),
@@ -205,9 +205,9 @@ constexpr Field<S> part(std::string_view name, std::string_view values) {
 /// What a level shares, by the name and the values that its kind has for it.
 std::string printSharing(const S &stratum) { return stratum.sharing == Sharing::Level ? "level" : ""; }
 
-template <Sharing Usual> bool parseSharing(S &stratum, std::string_view text) {
-  stratum.sharing = text == "level" ? Sharing::Level : Usual;
-  return text == "level" || text == (Usual == Sharing::None ? "none" : "sub-volume");
+template <Sharing Default> bool parseSharing(S &stratum, std::string_view text) {
+  stratum.sharing = text == "level" ? Sharing::Level : Default;
+  return text == "level" || text == (Default == Sharing::None ? "none" : "sub-volume");
 }
 
 bool isGrid(const S &stratum) { return stratum.isGrid(); }
@@ -224,7 +224,7 @@ constexpr std::array<Field<S>, 18> kStratumFields = {{
     part<Numbers, &Numbers::counts>("counts"),
     {"share", printSharing, parseSharing<Sharing::None>, "none, level", isGrid},
     {"dedup", printSharing, parseSharing<Sharing::SubVolume>, "sub-volume, level", sharesNodes},
-    field<S, &S::descent>("walk"),
+    field<S, &S::descent>("traversal"),
     field<S, &S::stops>("stops"),
     field<S, &S::sampled>("sampled"),
     field<S, &S::lookUp>("lookup"),

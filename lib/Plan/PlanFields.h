@@ -15,7 +15,7 @@ struct PlannedStratum : Stratum, Traversal, Construction {};
 
 template <typename Owner> struct Field {
   std::string_view name;
-  /// The value as text; "" if it is the usual one, which is not written.
+  /// The value as text; "" if it is the default, which is not written.
   std::string (*print)(const Owner &owner);
   /// False if this is no value of it.
   bool (*parse)(Owner &owner, std::string_view value);

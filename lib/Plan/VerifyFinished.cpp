@@ -17,7 +17,7 @@ public:
 
   void run() {
     text();
-    walk();
+    traversal();
     for (index_ = 0; index_ < plan_.layout.strata.size(); ++index_) {
       descent();
       stops();
@@ -52,27 +52,27 @@ private:
          "a plan has at most " + std::to_string(allowedLevels()) + " strata");
   }
 
-  void walk() {
-    rule(plan_.isOfPoints() || !kindOf(plan_.walk).isOpen,
+  void traversal() {
+    rule(plan_.isOfPoints() || !kindOf(plan_.levelTraversal).isOpen,
          "levels=auto is not chosen yet: write levels=nested, flat or direct, or run voxc-opt on it");
-    rule(plan_.addressing != Addressing::Paged || kindOf(plan_.walk).fromRoot,
+    rule(plan_.addressing != Addressing::Paged || kindOf(plan_.levelTraversal).fromRoot,
          "rays wait for pages with levels=direct alone");
-    rule(plan_.steps != Steps::Float64 || plan_.compare == Compare::Numbers,
+    rule(plan_.steps != StepArithmetic::Float64 || plan_.compare == Compare::Numbers,
          "doubles are compared as numbers: compare=numbers");
     rule(!plan_.stopsAboveVoxels() || !storesValue(plan_.outputs) || !plan_.defersValues,
-         "a walk that stops above voxels has a colour from each stop: defers-values=no");
+         "a traversal that stops above voxels has a colour from each stop: defers-values=no");
   }
 
   void descent() {
     const Stratum &stratum = plan_.layout.strata[index_];
     stratumRule(stratum.isGrid() || stratum.depth > 0 || kindOf(plan_.traversals[index_].descent).ofCells,
-                "a tree without layers is one leaf: walk=single");
+                "a tree without layers is one leaf: traversal=single");
     stratumRule(plan_.loops == Loops::Whole || !stratum.slots->lookUpLoops || plan_.isOfPoints() ||
                     plan_.traversals[index_].lookUp == Loops::Cut,
                 "with loops=cut the device may cut its look-ups: lookup=cut");
   }
 
-  /// Where a walk stops, a colour is searched in what is below.
+  /// Where a traversal stops, a colour is searched in what is below.
   void stops() {
     const Stratum &stratum = plan_.layout.strata[index_];
     const Traversal &traversal = plan_.traversals[index_];
@@ -80,7 +80,7 @@ private:
       return;
     const bool hasInnerNodes = !stratum.isGrid() && stratum.depth > 0;
     stratumRule(!traversal.stops || !hasInnerNodes || traversal.sampled,
-                "a walk stops at its nodes, and a colour is searched there: sampled=yes");
+                "a traversal stops at its nodes, and a colour is searched there: sampled=yes");
     const bool asksBelow = (traversal.stops || traversal.sampled) && !plan_.layout.holdsVoxels(index_);
     stratumRule(!asksBelow || plan_.traversals[index_ + 1].sampled,
                 "a colour is searched in the next stratum too: sampled=yes there");

@@ -12,7 +12,7 @@ namespace {
 
 /// How much pixel `b` tells of the sky over pixel `a`: nothing where they lie on different surfaces. `reach`
 /// is how far apart neighbouring points of one surface may be, along it.
-float kinship(const FilmPixel &a, const FilmPixel &b) {
+float bilateralWeight(const FilmPixel &a, const FilmPixel &b) {
   const float along = glm::dot(a.normal, b.normal);
   if (along < 0.5f)
     return 0;
@@ -51,7 +51,7 @@ std::vector<float> skyShares(const Film &film, int row, bool isSpread) {
         const FilmPixel &other = film.pixels[film.index(x, y)];
         if (other.hits == 0)
           continue;
-        const float weight = kinship(pixel, other);
+        const float weight = bilateralWeight(pixel, other);
         sum += weight * other.sky;
         weights += weight * other.hits;
       }

@@ -95,8 +95,8 @@ Expected<Candidate> makeCandidate(const std::string &text, const CandidateTraits
   }
   if (choices.grids == SmallGrids::ByOctants && !traits.editable)
     applyPass(candidate, "octant-masks");
-  if (!choices.walk.empty())
-    applyPass(candidate, std::string(choices.walk));
+  if (!choices.traversal.empty())
+    applyPass(candidate, std::string(choices.traversal));
   return candidate;
 }
 
@@ -107,8 +107,9 @@ FormatChoices choicesOf(const std::vector<std::string> &passes) {
       choices.grids = SmallGrids::Numbered;
     if (pass == "octant-masks") // Which stands behind it.
       choices.grids = SmallGrids::ByOctants;
-    if (const auto walk = std::ranges::find(searchedWalks(), pass); walk != searchedWalks().end())
-      choices.walk = *walk;
+    if (const auto traversal = std::ranges::find(searchedTraversals(), pass);
+        traversal != searchedTraversals().end())
+      choices.traversal = *traversal;
   }
   return choices;
 }

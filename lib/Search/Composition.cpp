@@ -19,10 +19,10 @@ constexpr LevelShape kShapes[] = {
     {.letter = 'S'},
 };
 
-constexpr std::string_view kWalks[] = {"", "direct-walk", "flat-walk", "restart-sv"};
+constexpr std::string_view kTraversals[] = {"", "direct-traversal", "flat-traversal", "restart-sv"};
 
-/// Another walk is another kernel, whatever its levels are.
-constexpr int kHeightsOfWalk = 6;
+/// Another traversal is another kernel, whatever its levels are.
+constexpr int kHeightsOfTraversal = 6;
 
 /// Collects compositions; those that cannot be are left out.
 class Rewriter {
@@ -94,9 +94,9 @@ private:
         found_.push_back(to);
       }
     to = from_;
-    for (const std::string_view walk : kWalks)
-      if (walk != from_.choices.walk) {
-        to.choices.walk = walk;
+    for (const std::string_view traversal : kTraversals)
+      if (traversal != from_.choices.traversal) {
+        to.choices.traversal = traversal;
         found_.push_back(to);
       }
   }
@@ -124,7 +124,7 @@ struct Heights {
 
 std::span<const LevelShape> levelShapes() { return kShapes; }
 
-std::span<const std::string_view> searchedWalks() { return kWalks; }
+std::span<const std::string_view> searchedTraversals() { return kTraversals; }
 
 std::string toString(const Composition &composition) {
   std::string text;
@@ -141,7 +141,7 @@ std::string toString(const Composition &composition) {
 std::optional<Composition> compositionOf(const Format &format) {
   Composition composition;
   for (const Level &level : format.levels) {
-    const int side = longest(level.log2Size());
+    const int side = maxComponent(level.log2Size());
     const std::uint32_t branching = std::max(level.parameter(ParameterRole::Branching), 1u);
     const auto shape = std::ranges::find_if(kShapes, [&](const LevelShape &known) {
       return known.letter == level.kind->letter && known.reach == level.parameter(ParameterRole::Reach) &&
@@ -160,8 +160,8 @@ std::vector<Composition> rewritesOf(const Composition &composition, std::size_t 
 
 int differences(const Composition &a, const Composition &b) {
   const Heights first(a), second(b);
-  int count =
-      (a.choices.grids != b.choices.grids ? 1 : 0) + (a.choices.walk != b.choices.walk ? kHeightsOfWalk : 0);
+  int count = (a.choices.grids != b.choices.grids ? 1 : 0) +
+              (a.choices.traversal != b.choices.traversal ? kHeightsOfTraversal : 0);
   for (std::size_t i = 0; i < std::min(first.shapes.size(), second.shapes.size()); ++i)
     count += (first.shapes[i] != second.shapes[i]) + (first.begins[i] != second.begins[i]);
   return count;

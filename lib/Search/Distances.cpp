@@ -30,7 +30,7 @@ bool visitOctants(const SceneDag::Node &node, Int3 low, int cells, const Visit &
 }
 
 /// How far an interval lies from a place.
-int gapBetween(int place, int low, int high) { return std::max({low - place, place - high, 0}); }
+int distanceTo(int place, int low, int high) { return std::max({low - place, place - high, 0}); }
 
 class Search {
 public:
@@ -79,15 +79,15 @@ private:
 
   void approach(int height, std::size_t number, Int3 low) {
     if (height == bottom_) {
-      nearest_ = gapBetween(cell_.x, low.x, low.x) + gapBetween(cell_.y, low.y, low.y) +
-                 gapBetween(cell_.z, low.z, low.z);
+      nearest_ = distanceTo(cell_.x, low.x, low.x) + distanceTo(cell_.y, low.y, low.y) +
+                 distanceTo(cell_.z, low.z, low.z);
       return;
     }
     visitOctants(cube_.dag.node(height, number), low, 1 << (height - 1 - bottom_),
                  [&](std::size_t child, const CellBox &at) {
-                   const int least = gapBetween(cell_.x, at.low.x, at.high.x) +
-                                     gapBetween(cell_.y, at.low.y, at.high.y) +
-                                     gapBetween(cell_.z, at.low.z, at.high.z);
+                   const int least = distanceTo(cell_.x, at.low.x, at.high.x) +
+                                     distanceTo(cell_.y, at.low.y, at.high.y) +
+                                     distanceTo(cell_.z, at.low.z, at.high.z);
                    if (least < nearest_)
                      approach(height - 1, child, at.low);
                    return true;

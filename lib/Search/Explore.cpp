@@ -16,14 +16,14 @@ std::vector<RaySet> fewOf(std::span<const RaySet> rays, std::size_t count) {
   std::vector<RaySet> few;
   for (const RaySet &set : rays) {
     // From all over the set, in which those whose rays go far stand last.
-    const std::size_t packets = set.rays.size() / kReplayPacket;
+    const std::size_t packets = set.rays.size() / kSimulatedPacket;
     const std::size_t wanted =
-        std::clamp<std::size_t>(count / kReplayPacket, 1, std::max<std::size_t>(packets, 1));
+        std::clamp<std::size_t>(count / kSimulatedPacket, 1, std::max<std::size_t>(packets, 1));
     RaySet some{set.name, {}, set.isBinned};
     for (std::size_t i = 0; i < std::min(wanted, packets); ++i) {
       const auto first = set.rays.begin() +
-                         static_cast<std::ptrdiff_t>((2 * i + 1) * packets / (2 * wanted) * kReplayPacket);
-      some.rays.insert(some.rays.end(), first, first + kReplayPacket);
+                         static_cast<std::ptrdiff_t>((2 * i + 1) * packets / (2 * wanted) * kSimulatedPacket);
+      some.rays.insert(some.rays.end(), first, first + kSimulatedPacket);
     }
     few.push_back(std::move(some));
   }
@@ -32,10 +32,10 @@ std::vector<RaySet> fewOf(std::span<const RaySet> rays, std::size_t count) {
 
 class Explorer {
 public:
-  Explorer(Rater &rater, const CandidateTraits &traits, std::span<const RaySet> rays, const SpeedModel &model,
-           const Wish &wish, const ExploreOptions &options, const Progress &progress)
-      : rater_(rater), traits_(traits), few_(fewOf(rays, options.sampledRays)), model_(model), wish_(wish),
-        options_(options), progress_(progress) {}
+  Explorer(FormatPredictor &predictor, const CandidateTraits &traits, std::span<const RaySet> rays,
+           const SpeedModel &model, const Wish &wish, const ExploreOptions &options, const Progress &progress)
+      : predictor_(predictor), traits_(traits), few_(fewOf(rays, options.sampledRays)), model_(model),
+        wish_(wish), options_(options), progress_(progress) {}
 
   Explored run(std::vector<Candidate> seeds, std::span<const RaySet> rays) {
     for (Candidate &seed : seeds)
@@ -60,7 +60,7 @@ private:
            watch_.seconds() > options_.seconds;
   }
 
-  /// What a format is known by: its plan, as another word for the same walk makes no other kernel.
+  /// What a format is known by: its plan, as another word for the same traversal makes no other kernel.
   static std::string keyOf(const Candidate &candidate) {
     const auto plan = makePlan(candidate.format, kCpuPlan);
     return plan ? printPlan(*plan) : printIr(candidate.format);
@@ -71,7 +71,7 @@ private:
       return;
     ++explored_.rated;
     tell();
-    if (auto format = rater_.rate(std::move(candidate), few_, model_, wish_.maxBytes))
+    if (auto format = predictor_.predict(std::move(candidate), few_, model_, wish_.maxBytes))
       formats_.push_back({std::move(*format)});
   }
 
@@ -122,35 +122,35 @@ private:
     return near;
   }
 
-  /// Replays all rays for what comes near the frontier, the nearest first, for as long as exploring may have
-  /// taken: what there is no time for keeps what few rays said of it.
-  void replayNear(std::span<const double> far, std::span<const RaySet> rays) {
+  /// Simulates all rays for what comes near the frontier, the nearest first, for as long as exploring may
+  /// have taken: what there is no time for keeps what few rays said of it.
+  void simulateNear(std::span<const double> far, std::span<const RaySet> rays) {
     std::vector<std::size_t> near;
     for (std::size_t i = 0; i < far.size(); ++i)
-      if (far[i] <= options_.replayed)
+      if (far[i] <= options_.simulated)
         near.push_back(i);
     std::ranges::stable_sort(near, {}, [&](std::size_t i) { return far[i]; });
     const double end = watch_.seconds() + options_.seconds;
     for (std::size_t i = 0; i < near.size() && !progress_.stopped() && watch_.seconds() <= end; ++i) {
       progress_.at("explore", (1 + static_cast<double>(i) / static_cast<double>(near.size())) / 2);
-      rater_.replayAgain(formats_[near[i]].format, rays, model_);
+      predictor_.simulateAgain(formats_[near[i]].format, rays, model_);
     }
   }
 
   void keep(std::span<const RaySet> rays) {
     const std::vector<double> far = distances();
-    replayNear(far, rays);
+    simulateNear(far, rays);
     for (std::size_t i = 0; i < far.size(); ++i)
       if (far[i] <= options_.kept)
         explored_.formats.push_back(std::move(formats_[i].format));
   }
 
   struct Known {
-    RatedFormat format;
+    PredictedFormat format;
     bool isExpanded = false;
   };
 
-  Rater &rater_;
+  FormatPredictor &predictor_;
   const CandidateTraits &traits_;
   std::vector<RaySet> few_;
   const SpeedModel &model_;
@@ -166,10 +166,10 @@ private:
 
 } // namespace
 
-Explored explore(Rater &rater, std::vector<Candidate> seeds, const CandidateTraits &traits,
+Explored explore(FormatPredictor &predictor, std::vector<Candidate> seeds, const CandidateTraits &traits,
                  std::span<const RaySet> rays, const SpeedModel &model, const Wish &wish,
                  const ExploreOptions &options, const Progress &progress) {
-  return Explorer(rater, traits, rays, model, wish, options, progress).run(std::move(seeds), rays);
+  return Explorer(predictor, traits, rays, model, wish, options, progress).run(std::move(seeds), rays);
 }
 
 } // namespace voxc

@@ -20,7 +20,7 @@ std::uint64_t numberOf(const LevelView &level, Int3 voxel) {
 
 LevelView::LevelView(const Stratum &stratum, const Traversal &traversal, bool isFirst)
     : stratum(stratum), descent(traversal.descent), isFirst(isFirst), bottom(stratum.log2Cell),
-      top(bottom + longest(stratum.log2Size())), branch(std::max(stratum.log2Shape.x, 1)),
+      top(bottom + maxComponent(stratum.log2Size())), branch(std::max(stratum.log2Shape.x, 1)),
       region(stratum.slots->region(stratum)) {}
 
 double wordsRead(const LevelView &level, int layers, bool isEmpty) {
@@ -40,7 +40,7 @@ std::optional<std::uint64_t> slotLineOf(const LevelView &level, Int3 voxel) {
 }
 
 /// The region of a distance.
-Gap gapOfDistance(const LevelView &level, bool asCube, const RayPosition &at, const ScenePath &path) {
+EmptySpan spanOfDistance(const LevelView &level, bool asCube, const RayPosition &at, const ScenePath &path) {
   const int bottom = level.bottom;
   const Int3 voxel = at.voxel();
   const int side = 1 << (level.top - bottom);
@@ -56,7 +56,8 @@ Gap gapOfDistance(const LevelView &level, bool asCube, const RayPosition &at, co
   return {bottom, level.isFirst ? inDistance : std::min(inDistance, cellsAhead(cell, side, at.octant()))};
 }
 
-Gap gapAt(const LevelView &level, int empty, bool asCube, const RayPosition &at, const ScenePath &path) {
+EmptySpan spanAt(const LevelView &level, int empty, bool asCube, const RayPosition &at,
+                 const ScenePath &path) {
   const int bottom = level.bottom;
   if (!level.stratum.isGrid())
     return {empty, 1};
@@ -65,7 +66,7 @@ Gap gapAt(const LevelView &level, int empty, bool asCube, const RayPosition &at,
     return {bottom, 1};
   case EmptyRegion::Ball:
   case EmptyRegion::Cube:
-    return gapOfDistance(level, asCube, at, path);
+    return spanOfDistance(level, asCube, at, path);
   case EmptyRegion::Octant:
     return {std::min(empty, bottom + 1), 1};
   case EmptyRegion::Ahead:

@@ -38,8 +38,9 @@ std::uint64_t lineOf(const LevelView &level, Int3 voxel);
 /// The same of the slot of a cell that is not empty, where it is likely to lie on another line.
 std::optional<std::uint64_t> slotLineOf(const LevelView &level, Int3 voxel);
 
-/// What the level says of the position, which is empty in a cube of 2^empty voxels a side, to a walk that
-/// goes from cube to cube. Of an L1 distance, a cube in it if `asCube`, else the distance as the count.
-Gap gapAt(const LevelView &level, int empty, bool asCube, const RayPosition &at, const ScenePath &path);
+/// What the level says of the position, which is empty in a cube of 2^empty voxels a side, to a traversal
+/// that goes from cube to cube. Of an L1 distance, a cube in it if `asCube`, else the distance as the count.
+EmptySpan spanAt(const LevelView &level, int empty, bool asCube, const RayPosition &at,
+                 const ScenePath &path);
 
 } // namespace voxc

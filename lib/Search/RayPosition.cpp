@@ -56,9 +56,9 @@ int RayPosition::cellAt(std::size_t axis, double t) const {
   return static_cast<int>(std::floor(std::clamp(origin_[axis] + t * direction_[axis], -1.0, double(side_))));
 }
 
-void RayPosition::leave(const Gap &gap) {
-  const int unit = 1 << gap.log2Side;
-  const int size = gap.count << gap.log2Side;
+void RayPosition::leave(const EmptySpan &span) {
+  const int unit = 1 << span.log2Side;
+  const int size = span.count << span.log2Side;
   std::array<int, 3> low{};
   double first = kNever;
   std::size_t left = kNoAxis;

@@ -10,7 +10,7 @@ namespace voxc {
 
 /// A cube that is empty: count * 2^log2Side voxels a side, from the aligned cube of 2^log2Side around a voxel
 /// on, in a ray's octant.
-struct Gap {
+struct EmptySpan {
   int log2Side = 0;
   int count = 1;
 };
@@ -21,8 +21,8 @@ public:
   /// there is none.
   RayPosition(const Ray &ray, int side);
 
-  /// Steps to the first voxel behind a gap around this one.
-  void leave(const Gap &gap);
+  /// Steps to the first voxel behind an empty span around this one.
+  void leave(const EmptySpan &span);
 
   Int3 voxel() const { return {cell_[0], cell_[1], cell_[2]}; }
   bool isInside() const { return ((cell_[0] | cell_[1] | cell_[2]) & ~(side_ - 1)) == 0; }

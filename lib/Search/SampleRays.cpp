@@ -4,7 +4,7 @@
 #include "RayPosition.h"
 #include "ScenePath.h"
 
-#include "voxc/Search/Replay.h"
+#include "voxc/Search/RayCostModel.h"
 
 #include <glm/geometric.hpp>
 
@@ -68,7 +68,7 @@ glm::vec3 anyDirection(std::mt19937 &random) {
 
 std::vector<Ray> sampleCamera(const Camera &camera, std::size_t count) {
   const std::vector<Ray> all = cameraRays(camera);
-  constexpr std::size_t kPacket = kReplayPacket;
+  constexpr std::size_t kPacket = kSimulatedPacket;
   const std::size_t packets = std::min(count, all.size()) / kPacket;
   std::vector<Ray> rays;
   for (std::size_t packet = 0; packet < packets; ++packet) {
@@ -105,19 +105,19 @@ RaySet samplePackets(std::string name, std::vector<Ray> rays, std::size_t count,
   std::iota(places.begin(), places.end(), 0U);
   if (set.isBinned)
     places = binnedOrder(RaySpan(rays), edge, 1);
-  const std::size_t packets = std::min(rays.size(), count) / kReplayPacket;
+  const std::size_t packets = std::min(rays.size(), count) / kSimulatedPacket;
   for (std::size_t packet = 0; packet < packets; ++packet)
-    for (std::size_t i = 0; i < kReplayPacket; ++i)
+    for (std::size_t i = 0; i < kSimulatedPacket; ++i)
       set.rays.push_back(rays[places[rays.size() / packets * packet + i]]);
   return set;
 }
 
 RaySet typicalPackets(const SceneDag &dag, const RaySet &set, std::size_t count) {
-  const std::size_t packets = set.rays.size() / kReplayPacket, wanted = count / kReplayPacket;
+  const std::size_t packets = set.rays.size() / kSimulatedPacket, wanted = count / kSimulatedPacket;
   if (packets <= wanted)
     return set;
   const auto raysOf = [&](std::size_t packet) {
-    return std::span(set.rays).subspan(packet * kReplayPacket, kReplayPacket);
+    return std::span(set.rays).subspan(packet * kSimulatedPacket, kSimulatedPacket);
   };
   std::vector<std::pair<int, std::size_t>> order; // Cubes that are crossed, and the packet.
   for (std::size_t packet = 0; packet < packets; ++packet) {

@@ -13,18 +13,19 @@ namespace {
 constexpr double kCommon = 0.3;
 /// Of a measurement that is taken again.
 constexpr double kNoise = 0.03;
-/// What is tried. With less, a race that has measured formats of one kind alone believes it knows the others.
+/// What is tried. With less, a search that has measured formats of one kind alone believes it knows the
+/// others.
 constexpr double kDeviations[] = {0.2, 0.3};
 constexpr double kReaches[] = {2, 5, 12};
 /// Without samples: what the model leaves on scenes that it was not fitted on.
-constexpr std::size_t kUsualDeviation = 0, kUsualReach = 1;
+constexpr std::size_t kDefaultDeviation = 0, kDefaultReach = 1;
 
 std::size_t rowAt(std::size_t row) { return row * (row + 1) / 2; }
 
 } // namespace
 
 SpeedCorrection::SpeedCorrection(std::vector<Sample> samples)
-    : samples_(std::move(samples)), kernel_{kDeviations[kUsualDeviation], kReaches[kUsualReach]} {
+    : samples_(std::move(samples)), kernel_{kDeviations[kDefaultDeviation], kReaches[kDefaultReach]} {
   if (samples_.empty())
     return;
   Kernel best = kernel_;

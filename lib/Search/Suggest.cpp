@@ -30,22 +30,22 @@ double regret(const SizeTime &point, Wish::Objective objective) {
 
 } // namespace
 
-Expected<std::vector<RatedFormat>> rateFormats(const PricedScene &scene, std::vector<Candidate> candidates,
-                                               const std::vector<RaySet> &rays, const SpeedModel &model,
-                                               const Wish &wish, const Progress &progress) {
-  Rater rater(scene);
-  std::vector<RatedFormat> rated;
+Expected<std::vector<PredictedFormat>>
+predictFormats(const ModelledScene &scene, std::vector<Candidate> candidates, const std::vector<RaySet> &rays,
+               const SpeedModel &model, const Wish &wish, const Progress &progress) {
+  FormatPredictor predictor(scene);
+  std::vector<PredictedFormat> rated;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (progress.stopped())
       return Error::interrupted();
     progress.at("rate", static_cast<double>(i) / static_cast<double>(candidates.size()));
-    if (auto format = rater.rate(std::move(candidates[i]), rays, model, wish.maxBytes))
+    if (auto format = predictor.predict(std::move(candidates[i]), rays, model, wish.maxBytes))
       rated.push_back(std::move(*format));
   }
   return rated;
 }
 
-std::vector<bool> frontierOf(std::span<const RatedFormat> rated) {
+std::vector<bool> frontierOf(std::span<const PredictedFormat> rated) {
   std::vector<std::size_t> order(rated.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
@@ -68,10 +68,10 @@ std::optional<std::size_t> choose(std::span<const SizeTime> points, Wish::Object
   return static_cast<std::size_t>(best - points.begin());
 }
 
-std::optional<std::size_t> choose(std::span<const RatedFormat> rated, const Wish &wish) {
+std::optional<std::size_t> choose(std::span<const PredictedFormat> rated, const Wish &wish) {
   std::vector<SizeTime> points;
   points.reserve(rated.size());
-  for (const RatedFormat &format : rated)
+  for (const PredictedFormat &format : rated)
     points.push_back({static_cast<double>(format.bytes()), format.time()});
   return choose(points, wish.objective);
 }

@@ -126,10 +126,10 @@ TreeCount TreeForms::unshared(int top) const {
 
 namespace {
 
-/// Walks through what one sub-volume is made of, each thing once.
-class DistinctWalk {
+/// Visits what one sub-volume is made of, each thing once.
+class DistinctTraversal {
 public:
-  DistinctWalk(std::size_t nodes, std::size_t values) : nodes_(nodes), values_(values) {}
+  DistinctTraversal(std::size_t nodes, std::size_t values) : nodes_(nodes), values_(values) {}
 
   /// Begins another sub-volume.
   void begin() { ++mark_; }
@@ -147,17 +147,17 @@ private:
 } // namespace
 
 TreeCount TreeForms::sharedInEach(int top) const {
-  DistinctWalk walk(kinds_.size(), dag_.count(shape_.bottom));
+  DistinctTraversal traversal(kinds_.size(), dag_.count(shape_.bottom));
   std::vector<std::uint32_t> open; // Nodes that are to be gone through.
   TreeCount all;
   const auto &forms = forms_[static_cast<std::size_t>(layerOf(top))];
   for (std::size_t number = 0; number < forms.size(); ++number) {
-    walk.begin();
+    traversal.begin();
     TreeCount count{.roots = 1};
     if (forms[number].leaf) {
       count.add(wholeRoot());
       count.values = 1;
-    } else if (walk.isNewNode(forms[number].number)) {
+    } else if (traversal.isNewNode(forms[number].number)) {
       open.push_back(forms[number].number);
     }
     while (!open.empty()) {
@@ -170,8 +170,8 @@ TreeCount TreeForms::sharedInEach(int top) const {
         if ((words[place / 32] >> place % 32 & 1) == 0)
           continue;
         if ((words[2 + place / 32] >> place % 32 & 1) != 0)
-          count.values += walk.isNewValue(words[child]) ? 1 : 0;
-        else if (walk.isNewNode(words[child]))
+          count.values += traversal.isNewValue(words[child]) ? 1 : 0;
+        else if (traversal.isNewNode(words[child]))
           open.push_back(words[child]);
         child += shape_.ranked ? 2 : 1;
       }

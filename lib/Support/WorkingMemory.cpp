@@ -252,8 +252,8 @@ Expected<void> WorkingMemory::addScratch(MemoryBlock &block, std::uint64_t bytes
   return {};
 }
 
-Expected<void> WorkingMemory::settle(MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes, int file,
-                                     std::uint64_t offset) {
+Expected<void> WorkingMemory::flush(MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes, int file,
+                                    std::uint64_t offset) {
   std::byte *const pages = block.data_ + begin;
   if (!writeWithHoles(file, {pages, bytes}, offset))
     return cannotWrite(bytes, errno);

@@ -13,7 +13,7 @@ constexpr std::uint64_t kChunkRays = 2048;
 
 } // namespace
 
-CoarseStandIn::Outcome CoarseRounds::settleRay(std::uint64_t i) {
+CoarseStandIn::Outcome CoarseRounds::answerRay(std::uint64_t i) {
   using enum CoarseStandIn::Outcome;
   Hit &hit = hits_[i];
   if (hit.voxel[0] >= -1)
@@ -34,14 +34,14 @@ CoarseStandIn::Outcome CoarseRounds::settleRay(std::uint64_t i) {
   return answer.outcome;
 }
 
-std::uint64_t CoarseRounds::settle(std::uint64_t first, std::uint64_t count) {
+std::uint64_t CoarseRounds::answer(std::uint64_t first, std::uint64_t count) {
   std::atomic<std::uint64_t> missed = 0, answered = 0;
   parallelFor((count + kChunkRays - 1) / kChunkRays, threads_, [&](std::uint64_t chunk) {
     const std::uint64_t begin = first + chunk * kChunkRays;
     const std::uint64_t end = std::min(begin + kChunkRays, first + count);
     std::uint64_t misses = 0, answers = 0;
     for (std::uint64_t i = begin; i < end; ++i) {
-      const CoarseStandIn::Outcome outcome = settleRay(i);
+      const CoarseStandIn::Outcome outcome = answerRay(i);
       misses += outcome == CoarseStandIn::Outcome::Misses;
       answers += outcome == CoarseStandIn::Outcome::Answered;
     }

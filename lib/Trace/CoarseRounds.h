@@ -19,12 +19,12 @@ public:
       : standIn_(standIn), rays_(rays), hits_(hits), view_(view), threads_(threads), until_(rays.size()) {}
 
   /// Looks after `count` rays from `first` on. How many have found their end, by blocks or by certain misses.
-  std::uint64_t settle(std::uint64_t first, std::uint64_t count);
+  std::uint64_t answer(std::uint64_t first, std::uint64_t count);
   /// How many rays blocks have answered so far.
   std::uint64_t answered() const { return answered_; }
 
 private:
-  CoarseStandIn::Outcome settleRay(std::uint64_t i);
+  CoarseStandIn::Outcome answerRay(std::uint64_t i);
 
   const CoarseStandIn &standIn_;
   RaySpan rays_;

@@ -54,9 +54,9 @@ bool isNear(const Ray &ray) {
 }
 
 /// One ray's way down the tree.
-class StandInWalk {
+class StandInTraversal {
 public:
-  StandInWalk(const CoarseTree &tree, const Ray &ray, double entry, const CoarseView &view)
+  StandInTraversal(const CoarseTree &tree, const Ray &ray, double entry, const CoarseView &view)
       : tree_(tree), ray_(ray), entry_(entry), view_(view) {
     for (int axis = 0; axis < 3; ++axis)
       nearest_ |= ray.direction[axis] < 0 ? 1u << axis : 0u;
@@ -160,7 +160,7 @@ double CoarseStandIn::entryOf(const Ray &ray, Int3 cell) {
 CoarseStandIn::Answer CoarseStandIn::answer(const Ray &ray, double entry, const CoarseView &view) const {
   if (!isNear(ray))
     return {.outcome = Outcome::Waits, .hit = {}, .until = std::numeric_limits<float>::infinity()};
-  return StandInWalk(tree_, ray, entry, view).run();
+  return StandInTraversal(tree_, ray, entry, view).run();
 }
 
 } // namespace voxc

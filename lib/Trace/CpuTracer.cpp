@@ -1,8 +1,8 @@
 // A tracer on this processor: threads that take chunks of the rays as they come.
 #include "Clock.h"
-#include "Endless.h"
 #include "FittingRays.h"
 #include "KernelFit.h"
+#include "Nontermination.h"
 #include "OrderedTracer.h"
 
 #include "Support/ParallelFor.h"

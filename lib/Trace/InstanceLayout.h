@@ -41,7 +41,7 @@ struct InstanceScratch {
     return state() + kWordsOfState * tileRays + volume * (kWordsOfVolume * tileRays + 64);
   }
   std::uint64_t hits(std::uint64_t volume) const { return rays(volume) + 8 * tileRays; }
-  std::uint64_t left(std::uint64_t volume) const { return rays(volume) + 17 * tileRays; }
+  std::uint64_t deferred(std::uint64_t volume) const { return rays(volume) + 17 * tileRays; }
   std::uint64_t all() const { return rays(volumes); }
 
   /// The largest that has room in so many words; none: `tileRays` is 0.

@@ -169,7 +169,7 @@ Expected<BoundInstancedTrace> InstancedRecorder::bind(const TraceBuffers &buffer
     auto bound = state_->recorders[number].bind(state_->volumes[number],
                                                 {part(layout.rays(number), 8 * layout.tileRays),
                                                  part(layout.hits(number), 6 * layout.tileRays),
-                                                 part(layout.left(number), layout.tileRays + 64)});
+                                                 part(layout.deferred(number), layout.tileRays + 64)});
     if (!bound)
       return bound.error();
     volumes.push_back(std::move(*bound));
@@ -246,7 +246,7 @@ private:
       trace.recorder->pipeline.recordLeaving(commands_, trace.buffers, trace.recorder->counted, tile, groups);
     });
     forVolumes([&](const BoundTrace::State &trace, const RayTile &tile, const GroupsThere &) {
-      trace.recorder->pipeline.recordLeftOver(commands_, trace.buffers, trace.recorder->counted, tile);
+      trace.recorder->pipeline.recordDeferred(commands_, trace.buffers, trace.recorder->counted, tile);
     });
     for (unsigned pass = 0; pass < mostResumes(); ++pass)
       forVolumes([&](const BoundTrace::State &trace, const RayTile &tile, const GroupsThere &groups) {

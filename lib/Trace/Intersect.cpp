@@ -1,6 +1,6 @@
 // One ray through a volume, on this thread.
-#include "Endless.h"
 #include "KernelFit.h"
+#include "Nontermination.h"
 
 #include "voxc/Trace/CpuKernel.h"
 

@@ -33,7 +33,7 @@ const std::vector<KernelField> kHit = {{"voxel", "int32[3]", offsetof(Hit, voxel
                                        {"steps", "uint32", offsetof(Hit, steps)}};
 
 const std::vector<KernelField> kListHeader = {{"groups", "uint32[3]", 0}, {"count", "uint32", 12}};
-constexpr std::uint32_t kListHeaderBytes = leftListBytes(0);
+constexpr std::uint32_t kListHeaderBytes = deferredListBytes(0);
 
 const std::vector<KernelField> kTile = {{"first_ray", "uint32", offsetof(RayTile, first)},
                                         {"ray_count", "uint32", offsetof(RayTile, rayCount)},
@@ -80,12 +80,12 @@ Expected<KernelInterface> interfaceOf(const Kernel &kernel) {
   result.bindings = {rays(kernel.bounded),
                      {1, "hits", "read write", {}, 0, kHit, sizeof(Hit)},
                      words(kernel.addressing),
-                     {3, "left", "read write", kListHeader, kListHeaderBytes, {{"ray", "uint32", 0}}, 4}};
+                     {3, "deferred", "read write", kListHeader, kListHeaderBytes, {{"ray", "uint32", 0}}, 4}};
   result.pushConstants = kTile;
   result.pushConstantBytes = sizeof(RayTile);
   result.constants = {
       {0, "COUNT_LOOKUPS", "bool", "false"}, {1, "SPREAD", "float32", "0"},
-      {2, "COUNT_WORDS", "bool", "false"},   {3, "SETTLES", "bool", "true"},
+      {2, "COUNT_WORDS", "bool", "false"},   {3, "EXACT_FALLBACK", "bool", "true"},
       {6, "COMES_NEAR", "bool", "true"},     {7, "gl_WorkGroupSize.x", "uint32", "64"},
   };
   result.features = std::move(*features);

@@ -22,7 +22,7 @@ int longestEdge(Int3 extent) { return std::max({extent.x, extent.y, extent.z, 1}
 class OrderedTracer final : public Tracer {
 public:
   OrderedTracer(std::unique_ptr<Tracer> tracer, const Volume &volume, unsigned threads, bool pays)
-      : tracer_(std::move(tracer)), edge_(longestEdge(volume.info().extent)), crew_(threads), pays_(pays) {}
+      : tracer_(std::move(tracer)), edge_(longestEdge(volume.info().extent)), team_(threads), pays_(pays) {}
 
   Expected<TraceReport> trace(RaySpan rays, std::span<Hit> hits, const TraceOptions &options) override;
   Expected<UpdateReport> update(const Volume &before, const Volume &after) override {
@@ -49,7 +49,7 @@ private:
 
   std::unique_ptr<Tracer> tracer_;
   int edge_; ///< Voxels on the volume's longest axis.
-  Crew crew_;
+  ThreadTeam team_;
   bool pays_;
   OrderChoice choice_;
   RayBins bins_;
@@ -139,7 +139,7 @@ Expected<double> OrderedTracer::learn(const RaySpan &rays, std::span<Hit> hits, 
     return given.error();
   const double firstDispatch = given->firstDispatch;
   Watch watch;
-  bins_.order(first, edge_, crew_);
+  bins_.order(first, edge_, team_);
   const double ordering = watch.cpuSeconds() / OrderChoice::kFirstRays;
   const bool mayPay = OrderChoice::mayPay(secondsOfOne(*given, first.size()), ordering);
   if (!mayPay || count < OrderChoice::kFirstRays) {
@@ -175,7 +175,7 @@ Expected<TraceReport> OrderedTracer::traceSlice(const RaySpan &rays, std::span<H
                                                 const TraceOptions &options) {
   TraceTime ordering;
   Watch before;
-  const std::span<const std::uint32_t> order = bins_.order(rays, edge_, crew_);
+  const std::span<const std::uint32_t> order = bins_.order(rays, edge_, team_);
   const RaySpan gathered = gatherRays(rays, order);
   if (hits.size() > hits_.size())
     hits_.resize(hits.size());
@@ -202,7 +202,7 @@ RaySpan OrderedTracer::gather(const RaySpan &rays, std::span<const std::uint32_t
                               std::vector<AnyRay> &gathered) {
   if (rays.size() > gathered.size())
     gathered.resize(rays.size());
-  crew_.share(rays.size(), [&](std::size_t first, std::size_t last, unsigned) {
+  team_.share(rays.size(), [&](std::size_t first, std::size_t last, unsigned) {
     for (std::size_t i = first; i < last; ++i) {
       __builtin_prefetch(rays.origin(order[std::min(i + kAhead, last - 1)]));
       std::memcpy(&gathered[i], rays.origin(order[i]), sizeof(AnyRay));
@@ -212,7 +212,7 @@ RaySpan OrderedTracer::gather(const RaySpan &rays, std::span<const std::uint32_t
 }
 
 void OrderedTracer::scatterHits(std::span<Hit> hits, std::span<const std::uint32_t> order) const {
-  crew_.share(hits.size(), [&](std::size_t first, std::size_t last, unsigned) {
+  team_.share(hits.size(), [&](std::size_t first, std::size_t last, unsigned) {
     for (std::size_t i = first; i < last; ++i) {
       __builtin_prefetch(&hits[order[std::min(i + kAhead, last - 1)]], 1);
       hits[order[i]] = hits_[i];

@@ -72,7 +72,7 @@ Expected<PageCache> PageCache::create(const PagedVolume &volume, const PagingOpt
                         " at once; give more, or store it with smaller pages (--page-bytes)");
   if (pages >= kSlotBits)
     return Error::usage("this volume has " + std::to_string(pages) +
-                        " pages, more than a table tells of: store it with larger pages (--page-bytes)");
+                        " pages, more than a table lists: store it with larger pages (--page-bytes)");
   const std::uint64_t bytes = std::min({options.memoryBytes - tableBytes(pages), mostBytes,
                                         std::uint64_t{4} << 32, (pages + 1) * words.pageBytes});
   PageCache cache(volume, options, bytes / words.pageBytes);
@@ -201,7 +201,7 @@ Expected<void> PageCache::decode(std::span<const std::uint32_t> pages) {
   return decoded;
 }
 
-void PageCache::settle(std::uint32_t page, std::uint32_t slot) {
+void PageCache::makeResident(std::uint32_t page, std::uint32_t slot) {
   if (pageOfSlot_[slot] != kNoPage)
     table_[pageOfSlot_[slot]] = kAbsent;
   else
@@ -225,7 +225,7 @@ Expected<void> PageCache::load(std::span<const std::uint32_t> pages, const Place
     for (std::size_t i = 0; i < run.size(); ++i) {
       if (auto placed = place(slots[first + i], 0, {decoded_.data() + i * slotBytes(), slotBytes()}); !placed)
         return placed;
-      settle(run[i], slots[first + i]);
+      makeResident(run[i], slots[first + i]);
     }
   }
   report_.decodeSeconds += wallSeconds() - begin;

@@ -59,7 +59,7 @@ private:
   Expected<void> decode(std::span<const std::uint32_t> pages);
   Expected<bool> fetch(std::uint32_t page, std::span<std::byte> room) const;
   std::span<const std::byte> pageOf(const Volume &volume, std::uint32_t page) const;
-  void settle(std::uint32_t page, std::uint32_t slot);
+  void makeResident(std::uint32_t page, std::uint32_t slot);
   void noteUse(std::uint32_t page);
 
   const PagedVolume *volume_;

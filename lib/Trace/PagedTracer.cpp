@@ -3,9 +3,9 @@
 
 #include "Clock.h"
 #include "CoarseRounds.h"
-#include "Endless.h"
 #include "FittingRays.h"
 #include "KernelFit.h"
+#include "Nontermination.h"
 
 #include <algorithm>
 #include <optional>
@@ -50,7 +50,7 @@ private:
     };
   }
   Expected<void> traceBatch(Batch &batch);
-  Expected<bool> settle(Batch &batch);
+  Expected<bool> answerCoarsely(Batch &batch);
   Expected<void> endGroup(Batch &batch);
   Expected<void> bring(Batch &batch, const PageRound &round);
   Expected<void> checkProgress(Batch &batch);
@@ -74,7 +74,7 @@ PagingReport Driver::paging() const {
 
 Expected<UpdateReport> Driver::follow(const Volume &after, std::span<const WordRange> changed) {
   if (standIn_)
-    return Error::usage("coarse blocks are of the volume as it was stored; leave them out to trace edits");
+    return Error::usage("coarse blocks are of the volume as stored; leave them out to trace edits");
   const auto placed = cache_.follow(after, changed, place());
   if (!placed)
     return placed.error();
@@ -134,10 +134,10 @@ Expected<void> Driver::traceBatch(Batch &batch) {
     goesOn = true;
     const PageRound round = cache_.takeMarks();
     if (!round.asked.empty() && batch.coarse) {
-      const auto settled = settle(batch);
-      if (!settled)
-        return settled.error();
-      if (*settled)
+      const auto answered = answerCoarsely(batch);
+      if (!answered)
+        return answered.error();
+      if (*answered)
         continue; // What the others wait for they tell once more.
     }
     if (auto done = round.asked.empty() ? endGroup(batch) : bring(batch, round); !done)
@@ -149,10 +149,10 @@ Expected<void> Driver::traceBatch(Batch &batch) {
 }
 
 /// Whether blocks have stood in for what some rays waited for.
-Expected<bool> Driver::settle(Batch &batch) {
+Expected<bool> Driver::answerCoarsely(Batch &batch) {
   if (auto fetched = backEnd_->fetch(batch.report); !fetched)
     return fetched.error();
-  if (batch.coarse->settle(batch.group.first, batch.group.count) == 0)
+  if (batch.coarse->answer(batch.group.first, batch.group.count) == 0)
     return false;
   if (auto put = backEnd_->put(batch.report); !put)
     return put.error();

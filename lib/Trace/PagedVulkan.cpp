@@ -88,8 +88,8 @@ Expected<void> VulkanPaging::reserve(std::uint64_t rays) {
   auto batch = RayBuffers::create(*device_, rays, bounded_, tiles_.tileRays());
   if (!batch)
     return batch.error();
-  auto bound = pipeline_.bind(
-      {wholeOf(batch->rays), wholeOf(batch->hits), wholeOf(slots_), wholeOf(batch->left), wholeOf(table_)});
+  auto bound = pipeline_.bind({wholeOf(batch->rays), wholeOf(batch->hits), wholeOf(slots_),
+                               wholeOf(batch->deferred), wholeOf(table_)});
   if (!bound)
     return bound.error();
   bound_ = std::move(*bound);

@@ -1,7 +1,7 @@
 // Rays brought in order bin by bin, in memory that is kept from one call to the next.
 #pragma once
 
-#include "Crew.h"
+#include "ThreadTeam.h"
 
 #include "voxc/Trace/BoundedRay.h"
 
@@ -14,7 +14,7 @@ namespace voxc {
 class RayBins {
 public:
   /// As `binnedOrder` gives it, until the next call.
-  std::span<const std::uint32_t> order(const RaySpan &rays, int edge, const Crew &crew);
+  std::span<const std::uint32_t> order(const RaySpan &rays, int edge, const ThreadTeam &team);
 
 private:
   struct BinnedRay {
@@ -23,7 +23,7 @@ private:
   };
 
   template <typename Item, typename Put>
-  static void sendByDigit(const Crew &crew, std::size_t count, unsigned shift, const Item &item,
+  static void sendByDigit(const ThreadTeam &team, std::size_t count, unsigned shift, const Item &item,
                           const Put &put);
 
   std::vector<BinnedRay> given_, half_; ///< Those of before and after the first digit, and maybe more.

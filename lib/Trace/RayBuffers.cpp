@@ -17,12 +17,12 @@ Expected<RayBuffers> RayBuffers::create(Device::State &device, std::uint64_t ray
   auto hitsBuffer = Buffer::create(device, {.what = "the hits", .bytes = rays * sizeof(Hit)});
   if (!hitsBuffer)
     return hitsBuffer.error();
-  auto leftBuffer = Buffer::create(device, {.what = "the rays that are left over",
-                                            .bytes = leftListBytes(std::min(rays, tileRays)),
-                                            .starts = true});
-  if (!leftBuffer)
-    return leftBuffer.error();
-  return RayBuffers{std::move(*raysBuffer), std::move(*hitsBuffer), std::move(*leftBuffer)};
+  auto deferredBuffer = Buffer::create(device, {.what = "the rays that are deferred",
+                                                .bytes = deferredListBytes(std::min(rays, tileRays)),
+                                                .starts = true});
+  if (!deferredBuffer)
+    return deferredBuffer.error();
+  return RayBuffers{std::move(*raysBuffer), std::move(*hitsBuffer), std::move(*deferredBuffer)};
 }
 
 } // namespace voxc

@@ -11,7 +11,7 @@ namespace voxc {
 struct RayBuffers {
   Buffer rays;
   Buffer hits;
-  Buffer left; ///< Of a tile's rays.
+  Buffer deferred; ///< Of a tile's rays.
 
   /// For so many rays, with bounds or without, taken by tiles of at most `tileRays`. Error: the device has no
   /// room.

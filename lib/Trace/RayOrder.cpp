@@ -104,16 +104,16 @@ bool areScattered(const RaySpan &rays, int edge) {
 
 /// One pass of the sort: sends each item of [0, count) by a digit of its bin to `put(place, item)`.
 template <typename Item, typename Put>
-void RayBins::sendByDigit(const Crew &crew, std::size_t count, unsigned shift, const Item &item,
+void RayBins::sendByDigit(const ThreadTeam &team, std::size_t count, unsigned shift, const Item &item,
                           const Put &put) {
-  std::vector<Places> shares(crew.size(), Places{});
+  std::vector<Places> shares(team.size(), Places{});
   const auto digitOf = [shift](const BinnedRay &ray) { return (ray.bin >> shift) % kDigits; };
-  crew.share(count, [&](std::size_t first, std::size_t last, unsigned share) {
+  team.share(count, [&](std::size_t first, std::size_t last, unsigned share) {
     for (std::size_t i = first; i < last; ++i)
       ++shares[share][digitOf(item(i))];
   });
   placeDigits(shares);
-  crew.share(count, [&](std::size_t first, std::size_t last, unsigned share) {
+  team.share(count, [&](std::size_t first, std::size_t last, unsigned share) {
     for (std::size_t i = first; i < last; ++i) {
       const BinnedRay ray = item(i);
       put(shares[share][digitOf(ray)]++, ray);
@@ -121,29 +121,29 @@ void RayBins::sendByDigit(const Crew &crew, std::size_t count, unsigned shift, c
   });
 }
 
-std::span<const std::uint32_t> RayBins::order(const RaySpan &rays, int edge, const Crew &crew) {
+std::span<const std::uint32_t> RayBins::order(const RaySpan &rays, int edge, const ThreadTeam &team) {
   const float scale = 1 / static_cast<float>(edge);
   if (rays.size() > order_.size()) {
     given_.resize(rays.size());
     half_.resize(rays.size());
     order_.resize(rays.size());
   }
-  crew.share(rays.size(), [&](std::size_t first, std::size_t last, unsigned) {
+  team.share(rays.size(), [&](std::size_t first, std::size_t last, unsigned) {
     for (std::size_t i = first; i < last; ++i)
       given_[i] = {binOf(rays[i], scale), static_cast<std::uint32_t>(i)};
   });
   sendByDigit(
-      crew, rays.size(), 0, [&](std::size_t i) { return given_[i]; },
+      team, rays.size(), 0, [&](std::size_t i) { return given_[i]; },
       [&](std::size_t place, BinnedRay ray) { half_[place] = ray; });
   sendByDigit(
-      crew, rays.size(), kDigitBits, [&](std::size_t i) { return half_[i]; },
+      team, rays.size(), kDigitBits, [&](std::size_t i) { return half_[i]; },
       [&](std::size_t place, BinnedRay ray) { order_[place] = ray.number; });
   return std::span(order_).first(rays.size());
 }
 
 std::vector<std::uint32_t> binnedOrder(const RaySpan &rays, int edge, unsigned threads) {
   RayBins bins;
-  const auto order = bins.order(rays, edge, Crew(threads));
+  const auto order = bins.order(rays, edge, ThreadTeam(threads));
   return {order.begin(), order.end()};
 }
 

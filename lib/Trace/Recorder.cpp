@@ -15,7 +15,7 @@ namespace voxc {
 
 std::uint32_t BoundTrace::rays() const { return state_->rays; }
 
-std::uint64_t scratchBytes(std::uint64_t rays) { return leftListBytes(rays); }
+std::uint64_t scratchBytes(std::uint64_t rays) { return deferredListBytes(rays); }
 
 VkDescriptorBufferInfo descriptorOf(const BufferRange &range) {
   return {range.buffer, range.offset, range.bytes};
@@ -59,7 +59,7 @@ Expected<void> checkRanges(const Device::State &device, const DeviceVolume &volu
   const Row rows[] = {{"rays", buffers.rays, bytesOfRay},
                       {"hits", buffers.hits, sizeof(Hit)},
                       {"words", volume.words(), 1},
-                      {"scratch memory", buffers.scratch, leftListBytes(kWorkgroupSize)}};
+                      {"scratch memory", buffers.scratch, deferredListBytes(kWorkgroupSize)}};
   for (const Row &row : rows)
     if (auto checked = checkRange(device, row.what, row.range, row.leastBytes); !checked)
       return checked;
@@ -69,7 +69,7 @@ Expected<void> checkRanges(const Device::State &device, const DeviceVolume &volu
 /// The most rays of one dispatch that scratch memory of so many bytes allows.
 std::uint32_t tileRaysOf(const Device::State &device, std::uint64_t scratch) {
   const std::uint64_t groups = device.physical.limits.maxComputeWorkGroupCount[0];
-  const std::uint64_t listed = scratch / sizeof(std::uint32_t) - leftListBytes(0) / sizeof(std::uint32_t);
+  const std::uint64_t listed = scratch / sizeof(std::uint32_t) - deferredListBytes(0) / sizeof(std::uint32_t);
   const std::uint64_t rays = std::min(groups * kWorkgroupSize, listed);
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(rays, std::numeric_limits<std::uint32_t>::max()));
 }
@@ -139,7 +139,7 @@ constexpr Order kBeforeEmptying = {kShader | kStart | kUpdate,
                                    VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_TRANSFER_WRITE_BIT, kUpdate,
                                    VK_ACCESS_TRANSFER_WRITE_BIT};
 constexpr Order kBeforeLeaving = {kUpdate, VK_ACCESS_TRANSFER_WRITE_BIT, kShader, kShaderUse};
-constexpr Order kBeforeLeftOver = {kShader, VK_ACCESS_SHADER_WRITE_BIT, kShader | kStart,
+constexpr Order kBeforeDeferred = {kShader, VK_ACCESS_SHADER_WRITE_BIT, kShader | kStart,
                                    kShaderUse | VK_ACCESS_INDIRECT_COMMAND_READ_BIT};
 constexpr Order kBeforeResuming = {kShader, VK_ACCESS_SHADER_WRITE_BIT, kShader, kShaderUse};
 
@@ -162,9 +162,9 @@ public:
     barrier(kBeforeLeaving);
     for (const Tile &tile : tiles_)
       pipelineOf(tile).recordLeaving(commands_, tile.trace->buffers, countedBy(tile), tile.rays);
-    barrier(kBeforeLeftOver);
+    barrier(kBeforeDeferred);
     for (const Tile &tile : tiles_)
-      pipelineOf(tile).recordLeftOver(commands_, tile.trace->buffers, countedBy(tile), tile.rays);
+      pipelineOf(tile).recordDeferred(commands_, tile.trace->buffers, countedBy(tile), tile.rays);
     for (unsigned pass = 0; resume(pass); ++pass)
       ;
     return true;
@@ -218,7 +218,7 @@ private:
 };
 
 bool shareScratch(const BoundTrace::State &a, const BoundTrace::State &b) {
-  const VkDescriptorBufferInfo &left = a.buffers.left, &right = b.buffers.left;
+  const VkDescriptorBufferInfo &left = a.buffers.deferred, &right = b.buffers.deferred;
   return left.buffer == right.buffer && left.offset < right.offset + right.range &&
          right.offset < left.offset + left.range;
 }

@@ -79,7 +79,7 @@ Expected<void> TileQueue::start(Slot &slot, const TilePass &pass, std::uint32_t 
   if (!commands)
     return commands.error();
   slot.timestamps.recordBegin(*commands);
-  if (pass.settlesAtOnce || pass.task != Task::All)
+  if (pass.resolvesAtOnce || pass.task != Task::All)
     pass.pipeline->recordDispatch(*commands, *pass.buffers, pass.counted, {first, count, pass.task});
   else
     pass.pipeline->recordDispatches(*commands, *pass.buffers, pass.counted, {first, count, pass.task});

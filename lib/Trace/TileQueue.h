@@ -20,7 +20,7 @@ struct TilePass {
   std::uint32_t rays = 0;
   std::uint32_t first = 0; ///< Of the bound rays.
   Task task = Task::All;
-  bool settlesAtOnce = false; ///< In one dispatch a tile, whatever the task.
+  bool resolvesAtOnce = false; ///< In one dispatch a tile, whatever the task.
   /// Called when a tile of so many rays is done; false ends the pass early.
   std::function<bool(std::uint32_t rays)> tileDone = [](std::uint32_t) { return true; };
 };

@@ -14,13 +14,13 @@ namespace {
 constexpr std::uint32_t kMostBindings = std::tuple_size_v<KernelBuffers>;
 
 constexpr std::size_t kWords = 2;
-constexpr std::size_t kLeft = 3;
+constexpr std::size_t kDeferred = 3;
 
 constexpr VkSpecializationMapEntry kConstantEntries[] = {
     {0, offsetof(Constants, countLookups), sizeof(Constants::countLookups)},
     {1, offsetof(Constants, spread), sizeof(Constants::spread)},
     {2, offsetof(Constants, countWords), sizeof(Constants::countWords)},
-    {3, offsetof(Constants, settles), sizeof(Constants::settles)},
+    {3, offsetof(Constants, exactFallback), sizeof(Constants::exactFallback)},
     {6, offsetof(Constants, comesNear), sizeof(Constants::comesNear)},
     {4, offsetof(Constants, pages.log2PageWords), sizeof(PageShape::log2PageWords)},
     {5, offsetof(Constants, pages.pages), sizeof(PageShape::pages)},
@@ -71,7 +71,7 @@ Expected<void> TracePipeline::viewTexels(const VkDescriptorBufferInfo &words, Bo
 }
 
 Expected<BoundBuffers> TracePipeline::bind(const KernelBuffers &buffers) const {
-  BoundBuffers bound{.left = buffers[kLeft]};
+  BoundBuffers bound{.deferred = buffers[kDeferred]};
   if (addressing_ == Addressing::Texels)
     if (auto viewed = viewTexels(buffers[kWords], bound); !viewed)
       return viewed.error();
@@ -89,15 +89,15 @@ Expected<void> TracePipeline::prepare(Counted counted, float spread, Origins ori
   const PipelineCache kept(*device_, isKept ? device_->cache : nullptr, bytesOf<std::uint32_t>(spirv_),
                            bytesOf<Constants>({&constants, 1}));
   cache = isKept ? kept.get() : cache;
-  auto leaves = createPipeline(constants, cache);
-  if (!leaves)
-    return leaves.error();
-  constants.settles = true;
-  auto settles = createPipeline(constants, cache);
-  if (!settles)
-    return settles.error();
+  auto defers = createPipeline(constants, cache);
+  if (!defers)
+    return defers.error();
+  constants.exactFallback = true;
+  auto resolves = createPipeline(constants, cache);
+  if (!resolves)
+    return resolves.error();
   kept.store();
-  variants_[std::size_t(counted)] = {std::move(*leaves), std::move(*settles), spread, origins};
+  variants_[std::size_t(counted)] = {std::move(*defers), std::move(*resolves), spread, origins};
   return {};
 }
 
@@ -121,7 +121,7 @@ void TracePipeline::dispatch(VkCommandBuffer commands, const RayTile &tile, cons
 
 void TracePipeline::recordDispatch(VkCommandBuffer commands, const BoundBuffers &buffers, Counted counted,
                                    const RayTile &tile, const GroupsThere &groups) const {
-  start(commands, variants_[std::size_t(counted)].settles, buffers, tile);
+  start(commands, variants_[std::size_t(counted)].resolves, buffers, tile);
   dispatch(commands, tile, groups);
 }
 
@@ -132,27 +132,27 @@ void TracePipeline::recordDispatches(VkCommandBuffer commands, const BoundBuffer
   recordBarrier(*device_, commands);
   recordLeaving(commands, buffers, counted, tile);
   recordBarrier(*device_, commands);
-  recordLeftOver(commands, buffers, counted, tile);
+  recordDeferred(commands, buffers, counted, tile);
 }
 
 void TracePipeline::recordEmptyList(VkCommandBuffer commands, const BoundBuffers &buffers) const {
   // No group to start yet, and no ray on the list.
   constexpr std::array<std::uint32_t, 4> kEmptyList = {0, 1, 1, 0};
-  device_->vk.CmdUpdateBuffer(commands, buffers.left.buffer, buffers.left.offset, sizeof kEmptyList,
+  device_->vk.CmdUpdateBuffer(commands, buffers.deferred.buffer, buffers.deferred.offset, sizeof kEmptyList,
                               kEmptyList.data());
 }
 
 void TracePipeline::recordLeaving(VkCommandBuffer commands, const BoundBuffers &buffers, Counted counted,
                                   const RayTile &tile, const GroupsThere &groups) const {
-  start(commands, variants_[std::size_t(counted)].leaves, buffers, tile);
+  start(commands, variants_[std::size_t(counted)].defers, buffers, tile);
   dispatch(commands, tile, groups);
 }
 
-void TracePipeline::recordLeftOver(VkCommandBuffer commands, const BoundBuffers &buffers, Counted counted,
+void TracePipeline::recordDeferred(VkCommandBuffer commands, const BoundBuffers &buffers, Counted counted,
                                    const RayTile &tile) const {
-  start(commands, variants_[std::size_t(counted)].settles, buffers,
-        {tile.first, tile.rayCount, Task::LeftOver});
-  device_->vk.CmdDispatchIndirect(commands, buffers.left.buffer, buffers.left.offset);
+  start(commands, variants_[std::size_t(counted)].resolves, buffers,
+        {tile.first, tile.rayCount, Task::Deferred});
+  device_->vk.CmdDispatchIndirect(commands, buffers.deferred.buffer, buffers.deferred.offset);
 }
 
 } // namespace voxc

@@ -16,7 +16,7 @@ namespace voxc {
 /// What a dispatch does, as the kernel knows it.
 enum class Task : std::uint32_t {
   All = 0,      ///< All rays, from their beginning.
-  LeftOver = 1, ///< Goes on with those that the dispatch before has put on its list.
+  Deferred = 1, ///< Goes on with those that the dispatch before has put on its list.
   CutOff = 2,   ///< Goes on with those that the device has cut off.
 };
 
@@ -27,8 +27,8 @@ struct RayTile {
   Task task = Task::All;
 };
 
-/// The bytes of the list of rays that are left over, of a tile of so many.
-constexpr std::uint64_t leftListBytes(std::uint64_t rays) { return sizeof(std::uint32_t) * (4 + rays); }
+/// The bytes of the list of deferred rays, of a tile of so many.
+constexpr std::uint64_t deferredListBytes(std::uint64_t rays) { return sizeof(std::uint32_t) * (4 + rays); }
 
 /// What a kernel counts for each ray.
 enum class Counted { Nothing, Lookups, Words };
@@ -51,7 +51,7 @@ struct Constants {
   VkBool32 countLookups;
   float spread;
   VkBool32 countWords;
-  VkBool32 settles;
+  VkBool32 exactFallback;
   VkBool32 comesNear;
   PageShape pages;
 };
@@ -67,7 +67,7 @@ inline VkDescriptorBufferInfo wholeOf(const Buffer &buffer) { return {buffer.get
 struct BoundBuffers {
   BufferViewHandle texels; ///< Of the words, where kernels read them so.
   BoundSet set;
-  VkDescriptorBufferInfo left{}; ///< The list.
+  VkDescriptorBufferInfo deferred{}; ///< The list.
 };
 
 /// Where a device finds the number of groups of a dispatch, if only it knows how many rays there are.
@@ -85,7 +85,7 @@ public:
   /// Whether the variant that counts this is made already for this spread, and for rays that begin there.
   bool isPrepared(Counted counted, float spread, Origins origins) const {
     const Variant &variant = variants_[std::size_t(counted)];
-    return variant.settles && variant.spread == spread &&
+    return variant.resolves && variant.spread == spread &&
            (variant.origins == Origins::Anywhere || origins == Origins::Near);
   }
   /// Makes a variant, in place of that for another spread or other origins; may compile for long. Nothing may
@@ -94,10 +94,10 @@ public:
                          VkPipelineCache cache = VK_NULL_HANDLE);
 
   /// Records the tracing of the bound rays [first, first + rayCount) by a prepared variant, in one dispatch
-  /// that settles what float32 cannot tell.
+  /// that resolves what float32 cannot decide.
   void recordDispatch(VkCommandBuffer commands, const BoundBuffers &buffers, Counted counted,
                       const RayTile &tile, const GroupsThere &groups = {}) const;
-  /// The same by two: one that settles nothing, and one over the rays which that leaves.
+  /// The same by two: one that resolves nothing exactly, and one over the rays which that defers.
   void recordDispatches(VkCommandBuffer commands, const BoundBuffers &buffers, Counted counted,
                         const RayTile &tile) const;
 
@@ -105,7 +105,7 @@ public:
   void recordEmptyList(VkCommandBuffer commands, const BoundBuffers &buffers) const;
   void recordLeaving(VkCommandBuffer commands, const BoundBuffers &buffers, Counted counted,
                      const RayTile &tile, const GroupsThere &groups = {}) const;
-  void recordLeftOver(VkCommandBuffer commands, const BoundBuffers &buffers, Counted counted,
+  void recordDeferred(VkCommandBuffer commands, const BoundBuffers &buffers, Counted counted,
                       const RayTile &tile) const;
 
 private:
@@ -119,8 +119,8 @@ private:
   Expected<void> viewTexels(const VkDescriptorBufferInfo &words, BoundBuffers &bound) const;
 
   struct Variant {
-    PipelineHandle leaves;  ///< Leaves the rays over that float32 cannot tell all of.
-    PipelineHandle settles; ///< Traces every ray to its end.
+    PipelineHandle defers;   ///< Defers the rays of which float32 cannot decide all.
+    PipelineHandle resolves; ///< Traces every ray to its end.
     float spread = 0;
     Origins origins = Origins::Near;
   };
@@ -132,7 +132,7 @@ private:
 
   Device::State *device_;
   Addressing addressing_;
-  std::uint32_t bindings_; ///< Rays, hits, words or their table, the list of rays that are left over; pages.
+  std::uint32_t bindings_; ///< Rays, hits, words or their table, the list of deferred rays; pages.
   PageShape pages_;
   std::vector<std::uint32_t> spirv_; ///< What pipelines are found by, where the device has a cache.
   ShaderModuleHandle module_;

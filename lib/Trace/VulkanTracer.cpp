@@ -3,8 +3,8 @@
 
 #include "Capabilities.h"
 #include "Clock.h"
-#include "Endless.h"
 #include "KernelFit.h"
+#include "Nontermination.h"
 #include "OrderedTracer.h"
 #include "RayOrigins.h"
 
@@ -17,9 +17,9 @@ namespace {
 
 constexpr std::uint64_t kMaxBatchRays = std::uint64_t{4} << 20;
 
-/// Dispatches that may go on with rays which the device cut short. The longest walk, 3 * 2^21 steps, needs
-/// about a hundred where a device ends loops after 65535 turns and a step takes one; far more where steps go
-/// down deep trees.
+/// Dispatches that may go on with rays which the device cut short. The longest traversal, 3 * 2^21 steps,
+/// needs about a hundred where a device ends loops after 65535 turns and a step takes one; far more where
+/// steps go down deep trees.
 constexpr int kMaxResumes = 4096;
 
 /// The rays whose buffers every limit of the device allows.
@@ -119,7 +119,7 @@ Expected<void> VulkanTracer::reserve(std::uint64_t rays) {
 
 Expected<void> VulkanTracer::bind(const RayBuffers &batch) {
   auto bound = pipeline_.bind(
-      {wholeOf(batch.rays), wholeOf(batch.hits), wholeOf(words_.binding()), wholeOf(batch.left)});
+      {wholeOf(batch.rays), wholeOf(batch.hits), wholeOf(words_.binding()), wholeOf(batch.deferred)});
   if (!bound)
     return bound.error();
   bound_ = std::move(*bound);
@@ -219,18 +219,18 @@ Expected<void> VulkanTracer::warmUp(const RaySpan &rays, Work &work) {
   const Origins origins = originsOf(rays, extent_);
   if (pipeline_.isPrepared(counted, spread, origins))
     return {};
-  // Some drivers compile when the pipeline is made, others at its first dispatch: one group of rays settles
+  // Some drivers compile when the pipeline is made, others at its first dispatch: one group of rays decides
   // both.
   double begin = wallSeconds();
   if (auto prepared = pipeline_.prepare(counted, spread, origins); !prepared)
     return prepared;
-  for (const bool settlesAtOnce : {true, false})
+  for (const bool resolvesAtOnce : {true, false})
     if (auto time = tiles_.run(
             {.pipeline = &pipeline_,
              .buffers = &bound_,
              .counted = counted,
              .rays = static_cast<std::uint32_t>(std::min<std::size_t>(rays.size(), kWorkgroupSize)),
-             .settlesAtOnce = settlesAtOnce});
+             .resolvesAtOnce = resolvesAtOnce});
         !time)
       return time.error();
   work.report.firstDispatch = wallSeconds() - begin;

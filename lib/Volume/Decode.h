@@ -25,7 +25,7 @@ Expected<void> decodeNumbered(const Volume &volume, const NumberedVisit &visit, 
 using CubeVisit =
     FunctionRef<void(std::uint64_t first, std::uint64_t count, std::uint32_t value, std::uint64_t rank)>;
 
-/// Visits the voxels of the aligned `cube` in one walk: what `lookUpShape` tells of each.
+/// Visits the voxels of the aligned `cube` in one traversal: what `lookUpShape` tells of each.
 void visitCube(const WordReader &words, const Layout &layout, const Cube &cube, CubeVisit visit);
 
 /// Writes the words of all voxels of the aligned `cube` in Morton order, 8^log2Side of them: what

@@ -41,7 +41,7 @@ Expected<std::vector<StreamPages>> readPageTables(std::span<const StreamRow> row
       return stream.error();
     const std::uint64_t pages = stream->pages();
     if (pages > (headBytes - end) / sizeof(PageRow))
-      return Error::input("has a stream '" + stream->name + "' of more pages than its head tells of");
+      return Error::input("has a stream '" + stream->name + "' of more pages than its head lists");
     StreamPages &read = streams.emplace_back(std::move(*stream), rows[i].offset, std::vector<PageRow>(pages));
     if (pages > 0)
       std::memcpy(read.rows.data(), file.data() + end, pages * sizeof(PageRow));

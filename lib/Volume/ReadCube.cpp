@@ -1,4 +1,4 @@
-// The voxels of a cube in one walk, from level to level, where lookups would go down once for each.
+// The voxels of a cube in one traversal, from level to level, where lookups would go down once for each.
 #include "Decode.h"
 
 #include "voxc/Layout/SubVolume.h"
@@ -9,9 +9,9 @@
 namespace voxc {
 namespace {
 
-class CubeWalk {
+class CubeTraversal {
 public:
-  CubeWalk(const WordReader &words, const Layout &layout, CubeVisit visit)
+  CubeTraversal(const WordReader &words, const Layout &layout, CubeVisit visit)
       : words_(words), layout_(layout), visit_(visit) {}
 
   /// The part of the cube that lies in the sub-volume of a level at `ref`, whose first voxel has a rank:
@@ -50,7 +50,7 @@ void visitCube(const WordReader &words, const Layout &layout, const Cube &cube, 
   const Int3 extent{1 << log2.x, 1 << log2.y, 1 << log2.z};
   if (contains(extent, cube.low) && contains(extent, cube.low + Int3{last, last, last})) {
     if (const std::uint32_t root = words[0])
-      CubeWalk(words, layout, visit).subVolume(0, root, cube, 0, 0);
+      CubeTraversal(words, layout, visit).subVolume(0, root, cube, 0, 0);
     return;
   }
   // The format is smaller than the cube along an axis.

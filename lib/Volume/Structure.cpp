@@ -82,7 +82,7 @@ private:
   std::vector<std::uint64_t> large_;
 };
 
-/// Walks all levels. A node may be shared across parents and heights, so its voxels are counted once a
+/// Traverses all levels. A node may be shared across parents and heights, so its voxels are counted once a
 /// (level, height), which bounds the work however a hostile file ties its nodes together. Low nodes are most
 /// of all and soon counted: they are counted anew instead of remembered.
 class StructureCheck final : public SubVolumeVisitor {
@@ -90,7 +90,7 @@ public:
   StructureCheck(const Layout &layout, std::span<const std::uint32_t> words, const KeepOn &keepOn)
       : layout_(layout), words_(layout.reader(words)), keepOn_(keepOn), gridWords_(layout.strata.size()) {
     for (const Stratum &stratum : layout.strata)
-      known_.emplace_back(static_cast<std::size_t>(longest(stratum.log2Size())) + 1);
+      known_.emplace_back(static_cast<std::size_t>(maxComponent(stratum.log2Size())) + 1);
   }
 
   Expected<std::uint64_t> run() {
@@ -164,7 +164,7 @@ public:
   void foreseeCell(std::uint32_t value) override {
     if (layout_.holdsVoxels(level_))
       return;
-    const int height = longest(layout_.strata[level_ + 1].log2Size());
+    const int height = maxComponent(layout_.strata[level_ + 1].log2Size());
     words_.fetch(beginOf(layout_.strata[level_ + 1], words_.wordOf(value)));
     if (isRemembered(level_ + 1, height))
       known(level_ + 1, height).fetch(value);
@@ -239,7 +239,7 @@ private:
   /// Grids of an array are counted as soon as they are found again.
   bool isRemembered(std::size_t level, int height) const {
     return height >= kLowestRemembered ||
-           (height == longest(layout_.strata[level].log2Size()) && !layout_.strata[level].inArray());
+           (height == maxComponent(layout_.strata[level].log2Size()) && !layout_.strata[level].inArray());
   }
 
   /// The grids of a level never overlap. Overlapping ones would let a small file ask for unbounded work.
@@ -252,7 +252,7 @@ private:
     gridWords_[level_] += size;
     if (gridWords_[level_] > words_.size())
       words_.fail("the grids of level " + std::to_string(level_ + 1) + " overlap or lie outside");
-    else if (!stratum.slots->keepsEmpty)
+    else if (!stratum.slots->hasEmptySlots)
       checkReach(size, "a grid of level " + std::to_string(level_ + 1));
     return !words_.problem();
   }

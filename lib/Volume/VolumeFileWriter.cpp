@@ -16,12 +16,12 @@ Expected<VolumeFileWriter> VolumeFileWriter::create(const std::string &path, con
   return VolumeFileWriter(path, std::move(*file), volumeHeadBytes(info, streams));
 }
 
-Expected<void> VolumeFileWriter::settle(MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes,
-                                        WorkingMemory &memory) {
-  Expected<void> settled = memory.settle(block, begin, bytes, file_.descriptor(), wordsOffset_ + begin);
-  if (!settled)
-    return Error{settled.error().kind, "'" + path_ + "': " + settled.error().message};
-  return settled;
+Expected<void> VolumeFileWriter::flush(MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes,
+                                       WorkingMemory &memory) {
+  Expected<void> flushed = memory.flush(block, begin, bytes, file_.descriptor(), wordsOffset_ + begin);
+  if (!flushed)
+    return Error{flushed.error().kind, "'" + path_ + "': " + flushed.error().message};
+  return flushed;
 }
 
 Expected<void> VolumeFileWriter::write(std::uint64_t offset, std::span<const std::byte> bytes,
@@ -39,11 +39,11 @@ Expected<void> VolumeFileWriter::write(std::uint64_t offset, std::span<const std
 }
 
 Expected<void> VolumeFileWriter::finish(const VolumeInfo &info, std::span<const Stream> streams,
-                                        std::pair<std::uint64_t, std::uint64_t> settled,
+                                        std::pair<std::uint64_t, std::uint64_t> flushed,
                                         WorkingMemory &memory) {
   const auto words = streams.front().bytes;
-  const std::uint64_t headEnd = std::min<std::uint64_t>(settled.first, words.size());
-  const std::uint64_t tail = std::min<std::uint64_t>(settled.second, words.size());
+  const std::uint64_t headEnd = std::min<std::uint64_t>(flushed.first, words.size());
+  const std::uint64_t tail = std::min<std::uint64_t>(flushed.second, words.size());
   if (auto written = write(wordsOffset_, words.first(headEnd), memory); !written)
     return written;
   if (auto written = write(wordsOffset_ + tail, words.subspan(tail), memory); !written)

@@ -20,16 +20,16 @@ public:
   static Expected<VolumeFileWriter> create(const std::string &path, const VolumeInfo &info,
                                            std::size_t streams = 1);
 
-  /// True if words can be settled: the file is not a pipe or a device.
-  bool canSettle() const { return file_.isRegular(); }
+  /// True if words can be flushed: the file is not a pipe or a device.
+  bool canFlush() const { return file_.isRegular(); }
   /// Writes pages of the block in which the words lie, and maps them from the file. Error: `Environment`, a
   /// full disk.
-  Expected<void> settle(MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes, WorkingMemory &memory);
+  Expected<void> flush(MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes, WorkingMemory &memory);
 
-  /// Completes the file and gives it its name. Bytes [settled.first, settled.second) of the words, the first
+  /// Completes the file and gives it its name. Bytes [flushed.first, flushed.second) of the words, the first
   /// stream, are there.
   Expected<void> finish(const VolumeInfo &info, std::span<const Stream> streams,
-                        std::pair<std::uint64_t, std::uint64_t> settled, WorkingMemory &memory);
+                        std::pair<std::uint64_t, std::uint64_t> flushed, WorkingMemory &memory);
 
 private:
   VolumeFileWriter(std::string path, OutputFile file, std::uint64_t wordsOffset)

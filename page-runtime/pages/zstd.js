@@ -179,9 +179,9 @@ function makeZstd() {
 
   const often = (text, rare) => [...text].map(Number).concat(Array(rare).fill(-1));
   const KINDS = [ // Of sequences: their states if nothing is said, and the bounds of others.
-    { name: "literal", usual: statesOf(often("43222222222221112222222223211111", 4), 6), mostLog2: 9, mostSymbol: 35 },
-    { name: "offset", usual: statesOf(often("111111222111111111111111", 5), 5), mostLog2: 8, mostSymbol: 31 },
-    { name: "match", usual: statesOf(often("1432222221111111111111111111111111111111111111", 7), 6), mostLog2: 9, mostSymbol: 52 },
+    { name: "literal", predefined: statesOf(often("43222222222221112222222223211111", 4), 6), mostLog2: 9, mostSymbol: 35 },
+    { name: "offset", predefined: statesOf(often("111111222111111111111111", 5), 5), mostLog2: 8, mostSymbol: 31 },
+    { name: "match", predefined: statesOf(often("1432222221111111111111111111111111111111111111", 7), 6), mostLog2: 9, mostSymbol: 52 },
   ];
 
   function readSequences(bytes, place, kept, literals, out, at) {
@@ -193,9 +193,9 @@ function makeZstd() {
     };
     if (count) {
       const modes = bytes[place.at++];
-      KINDS.forEach(({ name, usual, mostLog2, mostSymbol }, i) => {
+      KINDS.forEach(({ name, predefined, mostLog2, mostSymbol }, i) => {
         const mode = modes >> 6 - 2 * i & 3;
-        if (mode === 0) kept[name] = usual;
+        if (mode === 0) kept[name] = predefined;
         else if (mode === 1) kept[name] = only(bytes[place.at++]);
         else if (mode === 2) kept[name] = readStates(bytes, place, mostLog2, mostSymbol);
         if (!kept[name]) damaged();

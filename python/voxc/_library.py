@@ -183,7 +183,7 @@ def text(value):
 
 
 def options(kind, **members):
-    """A structure of options; members of None keep their usual value."""
+    """A structure of options; members of None keep their default value."""
     made = kind(struct_size=ctypes.sizeof(kind))
     for name, value in members.items():
         if value is not None:

@@ -1,4 +1,4 @@
-"""Volumes in notebooks: a picture with what is to know, and the page on which one walks through a volume."""
+"""Volumes in notebooks: a picture with what is to know, and the page on which one moves through a volume."""
 from __future__ import annotations
 
 import base64

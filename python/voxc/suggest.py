@@ -1,4 +1,4 @@
-"""Which format a scene asks for, foretold by the tool."""
+"""Which format a scene asks for, predicted by the tool."""
 from __future__ import annotations
 
 import json
@@ -11,7 +11,7 @@ from ._program import run, words_of
 
 
 def suggest(input: Any, program: Optional[str] = None, **options: Any) -> List[Dict[str, Any]]:
-    """What `voxc suggest INPUT` foretells of each format that it knows: rows, of which the one with `chosen` is what it names. Each has the
+    """What `voxc suggest INPUT` predicts of each format that it knows: rows, of which the one with `chosen` is what it names. Each has the
     `format`, its `passes` with blanks between, its `bytes` and `bits_per_voxel`, whether these are `exact`, the rays a second of one core
     by their kind, such as `camera_rays_per_second`, and whether no other beats it in both (`frontier`). pandas.DataFrame takes them.
     Options are those of the tool: resolution=512, objective="smallest", max_bytes="64MiB"."""

@@ -70,7 +70,7 @@ class Volume:
 
     @property
     def notes(self) -> Tuple[str, ...]:
-        """What was done with that file as it was asked for, or as it is usual: sentences."""
+        """What was done with that file as asked for, or by default: sentences."""
         return tuple(self._told.notes) if self._told else ()
 
     @property
@@ -189,7 +189,7 @@ class Volume:
         return self.tracer(device).render(width, height, **options)
 
     def page(self, title: Optional[str] = None) -> Page:
-        """A page on which one walks through it in any browser (docs/web-page.md), made by the program voxc."""
+        """A page on which one moves through it in any browser (docs/web-page.md), made by the program voxc."""
         return page_of(self, title)
 
     def _repr_png_(self) -> builtins.bytes:

@@ -95,7 +95,7 @@ class Module:
                    for label in labels for _, name, operands in self.blocks[label])
 
     def most_alive(self):
-        """By the usual equations: what a block needs goes back along its edges until nothing changes."""
+        """By the standard equations: what a block needs goes back along its edges until nothing changes."""
         sizes = {result: self.sizes.get(operands[0], 0) for instructions in self.blocks.values()
                  for result, name, operands in instructions if result and name != "OpVariable"}
         alive_in = {label: set() for label in self.blocks}

@@ -11,13 +11,13 @@ struct voxc_format_Hit {
 
 voxc_format_Hit miss() { return voxc_format_Hit(ivec3(-1), 0.0f, 0u, -1, 0); }
 
-voxc_format_Hit hit_of(const Ray ray, const Walk walk) {
+voxc_format_Hit hit_of(const Ray ray, const Traversal traversal) {
   bool sure;
-  Arrival arrival = arrival_at(ray, walk, true, sure);
+  Arrival arrival = arrival_at(ray, traversal, true, sure);
   bool inside = arrival.face == BEGINS_INSIDE;
   int axis = inside ? -1 : int(arrival.face >> 1);
   int side = inside ? 0 : (arrival.face & 1u) != 0u ? 1 : -1;
-  return voxc_format_Hit(walk.cell, uintBitsToFloat(arrival.t), colour_of(walk), axis, side);
+  return voxc_format_Hit(traversal.cell, uintBitsToFloat(arrival.t), colour_of(traversal), axis, side);
 }
 
 // The normal of the face by which the ray enters, out of the voxel; 0 where there is none.

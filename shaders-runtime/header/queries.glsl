@@ -1,19 +1,19 @@
 // What is called from outside.
 
-// Walks from the ray's begin, or from behind the walk's voxel where it has one, to the next voxel within [tmin, tmax].
-bool seek(uvec3 origin, uvec3 direction, float tmin, float tmax, out Ray ray, inout Walk walk) {
-  bool goes_past = is_in_volume(walk.cell);
+// Goes from the ray's begin, or from behind the traversal's voxel where it has one, to the next voxel within [tmin, tmax].
+bool seek(uvec3 origin, uvec3 direction, float tmin, float tmax, out Ray ray, inout Traversal traversal) {
+  bool goes_past = is_in_volume(traversal.cell);
   Bounds bounds = bounds_between(floatBitsToUint(tmin), floatBitsToUint(tmax));
   uint root = load_word(0u); // Leads to level 1, unless the volume is empty.
-  bool found = begin_walk(origin, direction, root, ray, walk) && bound_walk(ray, walk, bounds);
+  bool found = begin_traversal(origin, direction, root, ray, traversal) && bound_traversal(ray, traversal, bounds);
   if (found) {
     if (goes_past)
-      step_over_voxel(ray, walk);
+      step_over_voxel(ray, traversal);
     else
-      skip_to(ray, walk, bounds.tmin);
-    found = walk_within(ray, walk, root, bounds);
+      skip_to(ray, traversal, bounds.tmin);
+    found = traverse_within(ray, traversal, root, bounds);
   }
-  return end_walk(origin, direction, walk, found);
+  return end_traversal(origin, direction, traversal, found);
 }
 
 // The first voxel that the ray enters at a t in [tmin, tmax], in exact arithmetic; a NaN is in no interval. The voxel in which
@@ -21,13 +21,13 @@ bool seek(uvec3 origin, uvec3 direction, float tmin, float tmax, out Ray ray, in
 // entered by then, but the next, which it enters through a face that is hidden.
 bool voxc_format_closest(vec3 origin, vec3 direction, float tmin, float tmax, out voxc_format_Hit hit) {
   Ray ray;
-  Walk walk = walk_at(ivec3(-1));
+  Traversal traversal = traversal_at(ivec3(-1));
   if (PAGED)
     lacks_page = false; // A ray that waits for a word has the cell in which it waits for its hit, with no colour.
-  bool found = seek(floatBitsToUint(origin), floatBitsToUint(direction), tmin, tmax, ray, walk);
+  bool found = seek(floatBitsToUint(origin), floatBitsToUint(direction), tmin, tmax, ray, traversal);
   hit = miss();
-  if (found || (PAGED && lacks_page && is_in_volume(walk.cell)))
-    hit = hit_of(ray, walk);
+  if (found || (PAGED && lacks_page && is_in_volume(traversal.cell)))
+    hit = hit_of(ray, traversal);
   return found && (!PAGED || !lacks_page);
 }
 
@@ -35,17 +35,17 @@ bool voxc_format_closest(vec3 origin, vec3 direction, float tmin, float tmax, ou
 // where several are entered at one moment.
 bool voxc_format_next(vec3 origin, vec3 direction, float tmax, inout voxc_format_Hit hit) {
   Ray ray;
-  Walk walk = walk_at(hit.voxel);
-  bool found = is_in_volume(hit.voxel) && seek(floatBitsToUint(origin), floatBitsToUint(direction), 0.0f, tmax, ray, walk);
+  Traversal traversal = traversal_at(hit.voxel);
+  bool found = is_in_volume(hit.voxel) && seek(floatBitsToUint(origin), floatBitsToUint(direction), 0.0f, tmax, ray, traversal);
   hit = miss();
   if (found)
-    hit = hit_of(ray, walk);
+    hit = hit_of(ray, traversal);
   return found;
 }
 
 // Whether there is a voxel that the ray enters at a t in [tmin, tmax].
 bool voxc_format_any(vec3 origin, vec3 direction, float tmin, float tmax) {
   Ray ray;
-  Walk walk = walk_at(ivec3(-1));
-  return seek(floatBitsToUint(origin), floatBitsToUint(direction), tmin, tmax, ray, walk);
+  Traversal traversal = traversal_at(ivec3(-1));
+  return seek(floatBitsToUint(origin), floatBitsToUint(direction), tmin, tmax, ray, traversal);
 }

@@ -1,2 +1,2 @@
 // What a voxel is: here it is there, and all have one colour.
-uint colour_of(const Walk walk) { return load_word_at(0u, 1u); }
+uint colour_of(const Traversal traversal) { return load_word_at(0u, 1u); }

@@ -1,4 +1,4 @@
-// How many voxels of the grid come before one. Where walks stop above voxels, one may not be there.
+// How many voxels of the grid come before one. Where traversals stop above voxels, one may not be there.
 uint rank_level(uint grid, ivec3 voxel) {
   if (LEVEL_LAST)
     return !CONE || is_there_level(grid, voxel) ? voxels_before_level(grid, voxel) : 0u;

@@ -1,6 +1,6 @@
 // Rays and hits in their buffers. `at` is where the words of a hit begin: six for each ray.
 
-// What is stored of a ray: a hit, or where its walk was left.
+// What is stored of a ray: a hit, or where its traversal was left.
 struct HitWords {
   uvec3 voxel;
   uint rgba;

@@ -25,12 +25,12 @@ uint cell_level(uint table, ivec3 cell) {
   return probe_level(table, cell, is_cut);
 }
 
-// The same. The gap has no cells if the device cut the search short.
-uint look_up_level(const Ray ray, uint table, ivec3 cell, inout Gap gap) {
+// The same. The span has no cells if the device cut the search short.
+uint look_up_level(const Ray ray, uint table, ivec3 cell, inout EmptySpan span) {
   bool is_cut;
   uint value = probe_level(table, cell, is_cut);
   if (LEVEL_LOOK_UP_MAY_BE_CUT)
-    gap.count = is_cut ? 0 : 1;
+    span.count = is_cut ? 0 : 1;
   return value;
 }
 

@@ -60,7 +60,7 @@ uint voxels_level(uint grid) {
   return bits_of_bytes_level(cells, uint(bitCount(octants)));
 }
 
-// False of an empty cell, where a walk may stop that takes what is around for one.
+// False of an empty cell, where a traversal may stop that takes what is around for one.
 bool is_there_level(uint grid, ivec3 cell) {
   uint cells;
   uint octants = octants_level(grid, cells);
@@ -78,9 +78,9 @@ uint ahead_level(const Ray ray, ivec3 place) {
   return sides.x * (sides.y & 1u | (sides.y & 2u) << 1) * (sides.z & 1u | (sides.z & 2u) << 3);
 }
 
-// True if a cell is full. Else the gap is as wide as the octant around it, if that is empty, or as the grid, if nothing is full
+// True if a cell is full. Else the empty span is as wide as the octant around it, if that is empty, or as the grid, if nothing is full
 // to which the ray may still come: neither a cell of the octant nor any of the other octants.
-bool is_full_level(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+bool is_full_level(const Ray ray, uint grid, ivec3 cell, inout EmptySpan span) {
   uint cells;
   uint octants = octants_level(grid, cells);
   ivec3 octant = cell >> 1 & 1;
@@ -88,15 +88,15 @@ bool is_full_level(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
   uint others = octants & ahead_level(ray, octant) & ~(1u << place_level(octant));
   int around = own == 0u ? 1 : 0;
   around = (others | (own & ahead_level(ray, cell & 1))) == 0u ? 2 : around;
-  gap.log2_side += around;
+  span.log2_side += around;
   return (own >> place_level(cell & 1) & 1u) != 0u;
 }
 
 // The same, and the value of a cell that is full; 0 of one that is not.
-uint look_up_level(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+uint look_up_level(const Ray ray, uint grid, ivec3 cell, inout EmptySpan span) {
   if (LEVEL_DEFERS)
-    return is_full_level(ray, grid, cell, gap) ? grid : 0u; // Its value is looked up once it is hit.
-  return is_full_level(ray, grid, cell, gap) ? OCCUPIED : 0u;
+    return is_full_level(ray, grid, cell, span) ? grid : 0u; // Its value is looked up once it is hit.
+  return is_full_level(ray, grid, cell, span) ? OCCUPIED : 0u;
 }
 
 // The first value of the grid.

@@ -1,11 +1,11 @@
-// A step that float32 cannot tell, by sums of two float32 from the ray as given (pairs.glsl): where the ray passes
+// A step that float32 cannot decide, by sums of two float32 from the ray as given (pairs.glsl): where the ray passes
 // faces one after the other, and where it passes several at one t, as rays of whole numbers do at nearly each step.
 //
 // No number of a moderate ray but 0 is below 2^-40, so that each is a multiple of 2^-63, and each product of two a multiple of 2^-126: what
 // float32 loses of a sum or a product is a float32. A t is wrong by less than 2^-44 of it: a quotient by the inverse is within 2^-23, what is left
 // of the way then is rounded twice, and multiplied by the inverse again. A coordinate is wrong by less than 2^-43 of the two numbers that it
-// is the sum of. What is closer than DOUBT meets exactly, or is not told.
-const float DOUBT = 1.0f / 4398046511104.0f; // 2^-42.
+// is the sum of. What is closer than ERROR_BOUND meets exactly, or is undecided.
+const float ERROR_BOUND = 1.0f / 4398046511104.0f; // 2^-42.
 
 // How much later one moment is than another.
 float delay(const Pair later, const Pair earlier) { return (later.high - earlier.high) + (later.low - earlier.low); }
@@ -43,9 +43,9 @@ bool meet(const Pass a, const Pass b) {
   return is_same && (is_whole || (a.way.low == b.way.low && a.speed == b.speed));
 }
 
-// Whether a coordinate passes its face when the first one does. Not sure if only integers can tell.
+// Whether a coordinate passes its face when the first one does. Not sure if only integers can decide.
 bool is_passed(const Pass first, const Pass other, inout bool sure) {
-  bool is_close = abs(delay(other.t, first.t)) <= first.t.high * DOUBT;
+  bool is_close = abs(delay(other.t, first.t)) <= first.t.high * ERROR_BOUND;
   bool meets = meet(first, other);
   sure = sure && (meets || !is_close);
   return meets && is_close;
@@ -60,17 +60,17 @@ int cell_at(const Pass first, bool rises, float origin, float speed, int corner,
   Pair place = exact_sum(sum.high, sum.low + rest); // What is left of two large numbers may be less than their rest.
   float whole = floor(place.high + 0.5f);
   float above = (place.high - whole) + place.low;
-  bool is_close = speed != 0.0f && abs(above) <= (abs(origin) + abs(way)) * DOUBT;
+  bool is_close = speed != 0.0f && abs(above) <= (abs(origin) + abs(way)) * ERROR_BOUND;
   bool meets = meet(first, Pass(first.t, exact_sum(whole, -origin), speed));
   sure = sure && (meets || !is_close || side == 1);
   bool is_below = is_close ? speed < 0.0f && !rises : above < 0.0f; // It falls through that face with the others.
   return int(clamp(whole - (is_below ? 1.0f : 0.0f), float(corner), float(corner + side - 1)));
 }
 
-// Steps over the gap around the walk's cell. False, and no step, if this cannot tell either.
-bool step_compensated(const Ray ray, inout Walk walk, const Gap gap) {
-  int side = gap.count << gap.log2_side;
-  ivec3 corner = corner_of(ray, walk.cell, gap);
+// Steps over the empty span around the traversal's cell. False, and no step, if this cannot decide either.
+bool step_compensated(const Ray ray, inout Traversal traversal, const EmptySpan span) {
+  int side = span.count << span.log2_side;
+  ivec3 corner = corner_of(ray, traversal.cell, span);
   vec3 face = vec3(corner + (ray.ahead & side));
   vec3 origin = uintBitsToFloat(ray.given_origin);
   vec3 speed = mix(vec3(0.0f), ray.direction, ray.moves);
@@ -92,8 +92,8 @@ bool step_compensated(const Ray ray, inout Walk walk, const Gap gap) {
                      cell_at(first, rises, origin.y, speed.y, corner.y, side, sure),
                      cell_at(first, rises, origin.z, speed.z, corner.z, side, sure));
   cell = mix(cell, mix(corner, corner + (side - 1), ray.falls), changes);
-  walk.cell = sure ? cell : walk.cell;
-  walk.axis = sure ? (changes.x ? 0 : changes.y ? 1 : 2) : walk.axis;
+  traversal.cell = sure ? cell : traversal.cell;
+  traversal.axis = sure ? (changes.x ? 0 : changes.y ? 1 : 2) : traversal.axis;
   return sure;
 }
 
@@ -105,7 +105,7 @@ ivec3 cell_after(const Pass first, bool rises, vec3 origin, vec3 speed, inout bo
                cell_at(first, rises, origin.z, speed.z, -1, size.z, sure));
 }
 
-// The same where coordinate `axis` passes a face. Not sure if this cannot tell.
+// The same where coordinate `axis` passes a face. Not sure if this cannot decide.
 ivec3 cell_behind(const Ray ray, int axis, int face, out bool sure) {
   vec3 origin = uintBitsToFloat(ray.given_origin);
   vec3 speed = mix(vec3(0.0f), ray.direction, ray.moves);
@@ -118,8 +118,8 @@ ivec3 cell_behind(const Ray ray, int axis, int face, out bool sure) {
 }
 
 // Finds the cell in which an ordinary ray enters the volume: that of its origin, or through the last of the faces that it must pass. A cell
-// outside if there is none. Not sure if this cannot tell either.
-Walk entered_compensated(const Ray ray, Walk walk, out bool sure) {
+// outside if there is none. Not sure if this cannot decide either.
+Traversal entered_compensated(const Ray ray, Traversal traversal, out bool sure) {
   const float BEFORE = -1.0f; // All t of faces that the ray comes to.
   vec3 origin = uintBitsToFloat(ray.given_origin);
   vec3 speed = mix(vec3(0.0f), ray.direction, ray.moves);
@@ -144,9 +144,9 @@ Walk entered_compensated(const Ray ray, Walk walk, out bool sure) {
   bool rises = (falling.x | falling.y | falling.z) == 0; // The last of them fall.
   ivec3 cell = cell_after(last, rises, origin, speed, sure);
   cell = mix(cell, mix(ivec3(0), VOLUME_SIZE - 1, ray.falls), passed);
-  walk.cell = begins_here ? ivec3(floor(origin)) : misses ? ivec3(-1) : cell;
+  traversal.cell = begins_here ? ivec3(floor(origin)) : misses ? ivec3(-1) : cell;
   sure = sure || begins_here || misses;
   ivec3 entry = rises ? ivec3(passed) : falling;
-  walk.axis = begins_here ? -1 : entry.x != 0 ? 0 : entry.y != 0 ? 1 : 2;
-  return walk;
+  traversal.axis = begins_here ? -1 : entry.x != 0 ? 0 : entry.y != 0 ? 1 : 2;
+  return traversal;
 }

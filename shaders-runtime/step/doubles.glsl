@@ -1,6 +1,6 @@
-// A step that float32 cannot tell, by doubles from the ray as given: where the ray passes faces one after the other, and where it passes
+// A step that float32 cannot decide, by doubles from the ray as given: where the ray passes faces one after the other, and where it passes
 // several at one t, as rays of whole numbers do at nearly each step. What doubles get wrong: two roundings of 2^-53 of a t, three of a
-// coordinate, which is a sum of two numbers that may be larger than it. What is closer than that meets exactly, or is not told.
+// coordinate, which is a sum of two numbers that may be larger than it. What is closer than that meets exactly, or is undecided.
 const double FEW_ROUNDINGS = double(1.0f / 1125899906842624.0f);             // 2^-50.
 const double LATER_THAN_ANY = double(NEVER) * double(NEVER) * double(NEVER); // A direction as given may be small.
 
@@ -29,7 +29,7 @@ Passage passage_of(int axis, double t, const Way x, const Way y, const Way z, dv
   return passage;
 }
 
-// Whether a coordinate, that of `axis`, passes its face when the passage is. Not sure if only integers can tell.
+// Whether a coordinate, that of `axis`, passes its face when the passage is. Not sure if only integers can decide.
 bool is_passed(const Passage passage, int axis, double t, const Way way, double speed, inout bool sure) {
   bool is_close = abs(t - passage.t) <= abs(passage.t) * FEW_ROUNDINGS;
   bool meets = axis == passage.axis || meet(passage.way, passage.speed, way, speed);
@@ -50,10 +50,10 @@ int cell_by_doubles(const Passage passage, double origin, double speed, int corn
   return int(clamp(cell, double(corner), double(corner + side - 1)));
 }
 
-// Steps over the gap around the walk's cell. False, and no step, if doubles cannot tell either.
-bool step_by_doubles(const Ray ray, inout Walk walk, const Gap gap) {
-  int side = gap.count << gap.log2_side;
-  ivec3 corner = corner_of(ray, walk.cell, gap);
+// Steps over the empty span around the traversal's cell. False, and no step, if doubles cannot decide either.
+bool step_by_doubles(const Ray ray, inout Traversal traversal, const EmptySpan span) {
+  int side = span.count << span.log2_side;
+  ivec3 corner = corner_of(ray, traversal.cell, span);
   ivec3 face = corner + (ray.ahead & side);
   dvec3 origin = exactly(ray.given_origin);
   dvec3 speed = exactly(ray.given_direction);
@@ -75,8 +75,8 @@ bool step_by_doubles(const Ray ray, inout Walk walk, const Gap gap) {
                      cell_by_doubles(first, origin.y, speed.y, corner.y, side, sure),
                      cell_by_doubles(first, origin.z, speed.z, corner.z, side, sure));
   cell = mix(cell, mix(corner, corner + (side - 1), ray.falls), changes);
-  walk.cell = sure ? cell : walk.cell;
-  walk.axis = sure ? (changes.x ? 0 : changes.y ? 1 : 2) : walk.axis;
+  traversal.cell = sure ? cell : traversal.cell;
+  traversal.axis = sure ? (changes.x ? 0 : changes.y ? 1 : 2) : traversal.axis;
   return sure;
 }
 
@@ -88,7 +88,7 @@ ivec3 cell_after(const Passage passage, dvec3 origin, dvec3 speed, inout bool su
                cell_by_doubles(passage, origin.z, speed.z, -1, size.z, sure));
 }
 
-// The same, where coordinate `axis` passes a face. Not sure if doubles cannot tell.
+// The same, where coordinate `axis` passes a face. Not sure if doubles cannot decide.
 ivec3 cell_behind(const Ray ray, int axis, int face, out bool sure) {
   dvec3 origin = exactly(ray.given_origin);
   dvec3 speed = exactly(ray.given_direction);
@@ -102,8 +102,8 @@ ivec3 cell_behind(const Ray ray, int axis, int face, out bool sure) {
 }
 
 // Finds the cell in which an ordinary ray enters the volume: that of its origin, or through the last of the faces that it must pass. A cell
-// outside if there is none. Not sure if doubles cannot tell either.
-Walk entered_by_doubles(const Ray ray, Walk walk, out bool sure) {
+// outside if there is none. Not sure if doubles cannot decide either.
+Traversal entered_by_doubles(const Ray ray, Traversal traversal, out bool sure) {
   dvec3 origin = exactly(ray.given_origin);
   dvec3 speed = exactly(ray.given_direction);
   bvec3 below = lessThan(origin, dvec3(0.0f));
@@ -128,9 +128,9 @@ Walk entered_by_doubles(const Ray ray, Walk walk, out bool sure) {
   ivec3 cell = cell_after(last, origin, speed, sure);
   cell = mix(cell, mix(ivec3(0), VOLUME_SIZE - 1, ray.falls), passed);
   bool misses = is_outside != enters;
-  walk.cell = begins_here ? ivec3(floor(origin)) : misses ? ivec3(-1) : cell;
+  traversal.cell = begins_here ? ivec3(floor(origin)) : misses ? ivec3(-1) : cell;
   sure = sure || begins_here || misses;
   ivec3 entry = last.rises ? ivec3(passed) : falling;
-  walk.axis = begins_here ? -1 : entry.x != 0 ? 0 : entry.y != 0 ? 1 : 2;
-  return walk;
+  traversal.axis = begins_here ? -1 : entry.x != 0 ? 0 : entry.y != 0 ? 1 : 2;
+  return traversal;
 }

@@ -118,28 +118,28 @@ class Browser:
         return self.evaluate(f"""(() => {{ const e = {expression}; e.scrollIntoView({{block: "center", behavior: "instant"}});
             const b = e.getBoundingClientRect(); return [b.left + b.width / 2, b.top + b.height / 2]; }})()""")
 
-    def settle(self):
+    def wait_until_still(self):
         """Waits until what was scrolled and drawn has been told to the page."""
         self.evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
 
     def point_at(self, expression):
         x, y = self.middle_of(expression)
-        self.settle()
+        self.wait_until_still()
         self.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
-        self.settle()
+        self.wait_until_still()
 
     def click(self, expression):
         x, y = self.middle_of(expression)
-        self.settle()
+        self.wait_until_still()
         for kind in ("mousePressed", "mouseReleased"):
             self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", clickCount=1)
-        self.settle()
+        self.wait_until_still()
 
     def press(self, key):
         codes = {"Tab": 9, "Enter": 13, "Escape": 27, "ArrowRight": 39}
         for kind in ("rawKeyDown", "keyUp"):
             self.call("Input.dispatchKeyEvent", type=kind, key=key, code=key, windowsVirtualKeyCode=codes[key])
-        self.settle()
+        self.wait_until_still()
 
     def picture(self, path, top=0, height=None):
         """Writes a PNG of the page, all of it or a strip."""

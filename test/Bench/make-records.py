@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Writes made-up records of voxc bench into a folder, the same ones every time: what the report is tested with.
 
-  make-records.py DIR [--whole | --foretold]    --whole: as many as an evaluation of 40 formats has
-                                                --foretold: as a search of one model has, with what it foretold
+  make-records.py DIR [--whole | --predicted]    --whole: as many as an evaluation of 40 formats has
+                                                --predicted: as a search of one model has, with what it predicted
 """
 import hashlib
 import json
@@ -125,20 +125,20 @@ def whole_records():
                 yield record(model, form, [*DEDUP, "unroll-sv"], 512, device, "exact")
 
 
-def foretold_records():
+def predicted_records():
     """120 formats of one model on one device, each with passes of its own; larger ones are faster."""
     for form in LARGE:
-        for extra in ([], ["restart-sv"], ["flat-walk"], ["short-pointers=20"], ["share-grids"], ["flat-walk", "share-grids"]):
+        for extra in ([], ["restart-sv"], ["flat-traversal"], ["short-pointers=20"], ["share-grids"], ["flat-traversal", "share-grids"]):
             line = record(("pagoda", "pagoda.obj", [2048, 857, 1260]), form, DEDUP + extra, 2048, CPU, "exact")
             volume, speed = line["volume"], line["speed"]
             volume["bytes"] = 4 * volume["words"]
-            factor = (volume["words"] / 1e6) ** 0.3 * (0.9 + 0.2 * chance("walk", form, extra))
+            factor = (volume["words"] / 1e6) ** 0.3 * (0.9 + 0.2 * chance("traversal", form, extra))
             for key in ("mrays_per_s", "mrays_per_cpu_s"):
                 speed[key] = {name: figure * (1 if name == "spread" else factor) for name, figure in speed[key].items()}
             levels = form.count("(")
             volume["level_words"] = [volume["words"] // 2 ** (levels - i) for i in range(levels)]
             median = speed["mrays_per_cpu_s"]["median"]
-            line["predicted"] = {"words": volume["words"], "mrays_per_s": median * (0.85 + 0.3 * chance("foretold", form, extra)), "turns": 20 / median,
+            line["predicted"] = {"words": volume["words"], "mrays_per_s": median * (0.85 + 0.3 * chance("predicted", form, extra)), "turns": 20 / median,
                                  "lines": 9 / median}
             line["made_by"]["command"] = "voxc search pagoda.obj --budget 180s -o results"
             yield line
@@ -167,7 +167,7 @@ def write_picture(path, name):
 
 def main():
     folder = Path(sys.argv[1])
-    records = {"--whole": whole_records, "--foretold": foretold_records}.get(sys.argv[-1], few_records)
+    records = {"--whole": whole_records, "--predicted": predicted_records}.get(sys.argv[-1], few_records)
     (folder / "pictures").mkdir(parents=True, exist_ok=True)
     for name, _, _ in MODELS:
         write_picture(folder / "pictures" / f"{name}.png", name)

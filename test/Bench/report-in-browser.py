@@ -89,9 +89,9 @@ class Report(unittest.TestCase):
         name, x, y = middle[0]
         x, y = x + 9, y + 11
         nearest = min(middle, key=lambda point: (point[1] - x) ** 2 + (point[2] - y) ** 2)[0]
-        self.browser.settle()
+        self.browser.wait_until_still()
         self.browser.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, y=y)
-        self.browser.settle()
+        self.browser.wait_until_still()
         self.assertEqual(self.browser.evaluate(f"{TIP}.firstChild.textContent"), nearest)
 
     def test_spreads_and_names_of_other_passes_are_drawn(self):
@@ -132,7 +132,7 @@ class Report(unittest.TestCase):
         self.browser.press("Escape")
         self.assertFalse(self.is_shown(TIP))
         self.browser.evaluate("document.activeElement.dispatchEvent(new MouseEvent('click', {bubbles: true, cancelable: true}))")
-        self.browser.settle()
+        self.browser.wait_until_still()
         row = self.browser.evaluate("document.querySelector('tr:target').cells[0].textContent")
         self.assertTrue(second.startswith(row), (second, row))
 
@@ -152,12 +152,12 @@ class Report(unittest.TestCase):
     def test_rows_are_found(self):
         self.browser.click("document.querySelector('.finder input')")
         self.browser.call("Input.insertText", text="tangle  LLVMpipe")
-        self.browser.settle()
+        self.browser.wait_until_still()
         self.assertEqual(set(self.column("Model")), {"tangle"})
         self.assertEqual(set(self.column("Device")), {"llvmpipe"})
         hidden = f"{ROWS}.findIndex(row => row.hidden)"
         self.browser.evaluate(f"location.hash = {ROWS}[{hidden}].id")
-        self.browser.settle()
+        self.browser.wait_until_still()
         self.assertTrue(self.is_shown("document.querySelector('tr:target')"))
 
     def test_fits_a_phone(self):

@@ -18,14 +18,14 @@ import volume_page
 from volume_page import STATE, Browser, Page, differences, exact_hits, figures, hard_rays, other_voxels, page_of, render, voxc
 
 RAYS = 20000
-# One of each kind of level, walk and payload.
+# One of each kind of level, traversal and payload.
 FORMATS = """
 R(2^3) G(3) --whole-level-dedup
 G(5) --restart-sv --inline-leaves
 G(6, 2) --unroll-sv
 S(5)
-S(2) S(3) --flat-walk
-D(3^3,6) R(2^3) --direct-walk
+S(2) S(3) --flat-traversal
+D(3^3,6) R(2^3) --direct-traversal
 D(2^3,15) G(3) --df-packing
 D(3^3,15) M(2^3) --octant-distances --df-packing --share-grids --values-apart
 H(3^3) M(2^3) --share-grids --short-pointers
@@ -84,7 +84,7 @@ class PagesOfAnyDevice:
                     self.assertEqual(differences(page.trace(rays, "exact"), exact_hits(volume, rays, self.folder)), 0)
 
     def test_frames_are_chosen_and_played(self):
-        animation, volume = self.folder / "walk.vox", self.folder / "walk.hvx"
+        animation, volume = self.folder / "walk.vox", self.folder / "traversal.hvx"
         subprocess.run([sys.executable, volume_page.HERE.parent / "Edit" / "Inputs" / "animation.py", "write", animation], check=True)
         voxc("build", "R(2^3) G(3)", animation, "--whole-level-dedup", "--frames", "-o", volume)
         with self.opened(page_of(volume, self.folder)[0]) as page:
@@ -281,7 +281,7 @@ class PagesOfAnyDevice:
         page = self.enterContext(Browser(320, 240, draws=True))
         page.call("Page.addScriptToEvaluateOnNewDocument", source="HTMLCanvasElement.prototype.getContext = () => null")
         page.open(f"{self.page}#{self.device}")
-        page.settle()
+        page.wait_until_still()
         while page.evaluate(f"!{STATE}.problem"):
             time.sleep(0.1)
         self.assertEqual(page.evaluate("document.getElementById('status').textContent"), "This page cannot be shown here: this browser has no " + self.name)

@@ -35,7 +35,7 @@ struct FormatPart {
   std::string label; ///< As the list of formats has it, or "".
   std::string name;  ///< In the grammar of formats.
   std::vector<std::string> passes;
-  std::string digest; ///< Of its IR, the walk included.
+  std::string digest; ///< Of its IR, the traversal included.
 };
 
 /// Where it was traced.

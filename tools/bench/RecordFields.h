@@ -1,4 +1,4 @@
-// The keys of a record, once: the same list is walked to write a record and to read it.
+// The keys of a record, once: the same list is traversed to write a record and to read it.
 #pragma once
 
 #include "Record.h"

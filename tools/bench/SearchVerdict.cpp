@@ -42,12 +42,12 @@ double meanSpeed(const std::vector<double> &speeds) {
   return 1 / time;
 }
 
-double foretoldRatio(const Finalist &finalist) {
-  std::vector<double> foretold;
+double predictedRatio(const Finalist &finalist) {
+  std::vector<double> predicted;
   for (const Record *cell : finalist.cells)
     if (const double speed = cell->predicted ? cell->predicted->mraysPerS.value_or(0) : 0; speed > 0)
-      foretold.push_back(speed);
-  return foretold.size() == finalist.cells.size() ? meanSpeed(foretold) / finalist.mraysPerS : 0;
+      predicted.push_back(speed);
+  return predicted.size() == finalist.cells.size() ? meanSpeed(predicted) / finalist.mraysPerS : 0;
 }
 
 /// A format of which all cells were measured, on `sets` sets of rays.
@@ -62,7 +62,7 @@ std::optional<Finalist> makeFinalist(const Variant &variant, const std::vector<c
   if (speeds.size() != sets || finalist.bytes <= 0)
     return std::nullopt;
   finalist.mraysPerS = meanSpeed(speeds);
-  finalist.foretoldRatio = foretoldRatio(finalist);
+  finalist.predictedRatio = predictedRatio(finalist);
   finalist.sizeText = verdictSize(finalist.bytes);
   finalist.speedText = print("%.2f M/s", finalist.mraysPerS);
   return finalist;
@@ -209,12 +209,12 @@ std::string verdictSize(double bytes) {
 }
 
 std::string plainName(const std::string &format, std::span<const std::string> passes) {
-  const auto walks = searchedWalks();
+  const auto traversals = searchedTraversals();
   std::string name = format;
   const char *separator = " with ";
   for (const std::string &pass : passes) {
-    const bool isWalk = std::ranges::find(walks, pass) != walks.end();
-    const char *phrase = isWalk                               ? pass.c_str()
+    const bool isTraversal = std::ranges::find(traversals, pass) != traversals.end();
+    const char *phrase = isTraversal                          ? pass.c_str()
                          : pass.starts_with("short-pointers") ? "short pointers"
                          : pass == "octant-masks"             ? "octant masks"
                                                               : nullptr;
@@ -233,8 +233,8 @@ const Finalist &SearchVerdict::answer(std::string_view question) const {
 double SearchVerdict::worstFactor() const {
   double worst = 0;
   for (const Finalist &finalist : frontier)
-    if (finalist.foretoldRatio > 0)
-      worst = std::max({worst, finalist.foretoldRatio, 1 / finalist.foretoldRatio});
+    if (finalist.predictedRatio > 0)
+      worst = std::max({worst, finalist.predictedRatio, 1 / finalist.predictedRatio});
   return worst;
 }
 

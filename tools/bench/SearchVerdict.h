@@ -21,7 +21,7 @@ struct Finalist {
   std::vector<const Record *> cells; ///< One for each set of rays.
   double bytes = 0;
   double mraysPerS = 0;      ///< Of the mean time of all sets, in what the device's clock counts.
-  double foretoldRatio = 0;  ///< The speed that was foretold, divided by the measured one; 0: none was.
+  double predictedRatio = 0; ///< The speed that was predicted, divided by the measured one; 0: none was.
   std::string sizeText;      ///< "9.1 KiB", "1.02 MiB".
   std::string speedText;     ///< "12.14 M/s".
   std::string setSpeedsText; ///< "12.10 M/s overview, 3.40 M/s bounced".
@@ -46,8 +46,8 @@ struct SearchVerdict {
 
   /// The finalist that answers a question. Precondition: it is asked.
   const Finalist &answer(std::string_view question) const;
-  /// How many times the speed of the frontier's formats was foretold too high or too low, at worst; 0 if
-  /// nothing was foretold.
+  /// How many times the speed of the frontier's formats was predicted too high or too low, at worst; 0 if
+  /// nothing was predicted.
   double worstFactor() const;
 };
 

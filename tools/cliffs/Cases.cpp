@@ -28,7 +28,7 @@ Expected<std::vector<KeptCase>> parseCases(std::string_view text, const std::str
       continue;
     KeptCase kept;
     std::istringstream fields(line);
-    if (!(fields >> kept.number >> kept.machine >> kept.lookups >> kept.settled >> kept.allocations) ||
+    if (!(fields >> kept.number >> kept.machine >> kept.lookups >> kept.exactSteps >> kept.allocations) ||
         fields.get() != '\t' || !std::getline(fields, kept.what))
       return Error::input(name + ":" + std::to_string(number) +
                           ": a case is a number, a device, three counts, a place and rays");
@@ -43,7 +43,7 @@ std::string worsened(const KeptCase &kept, const Finding &finding) {
     return "it is '" + what + "' now, and was '" + kept.what + "'";
   if (const std::string text = more("look-ups", finding.lookups, kept.lookups); !text.empty())
     return text;
-  if (const std::string text = more("settled steps", finding.settled, kept.settled); !text.empty())
+  if (const std::string text = more("exact steps", finding.exactSteps, kept.exactSteps); !text.empty())
     return text;
   if (finding.cost.allocations > kept.allocations + kSomeAllocations)
     return "allocations of a call are " + std::to_string(finding.cost.allocations) + ", and were " +

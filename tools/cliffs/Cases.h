@@ -16,7 +16,7 @@ namespace voxc::cliffs {
 struct KeptCase {
   std::uint64_t number = 0;
   std::string machine;
-  double lookups = 0, settled = 0;
+  double lookups = 0, exactSteps = 0;
   std::uint64_t allocations = 0;
   std::string what; ///< The place and the situation, by which a number that means another thing now is known.
 };

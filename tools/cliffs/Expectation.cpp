@@ -1,9 +1,9 @@
-// From replayed rays to nanoseconds of a call.
+// From simulated rays to nanoseconds of a call.
 #include "Expectation.h"
 
 #include "voxc/Layout/SlotKind.h"
 #include "voxc/Plan/Plan.h"
-#include "voxc/Search/Replay.h"
+#include "voxc/Search/RayCostModel.h"
 #include "voxc/Search/SampleRays.h"
 
 #include <glm/matrix.hpp>
@@ -53,16 +53,16 @@ double shareOfWay(const Stage &stage, const StagedRays &rays, const std::vector<
   return whole > 0 ? asked / whole : 1;
 }
 
-/// Whole packets, for what is left over is not replayed.
+/// Whole packets, for what is left over is not simulated.
 std::vector<Ray> filledUp(std::vector<Ray> rays) {
-  while (!rays.empty() && rays.size() % kReplayPacket != 0)
+  while (!rays.empty() && rays.size() % kSimulatedPacket != 0)
     rays.push_back(rays.back());
   return rays;
 }
 
-class Replayed {
+class Simulated {
 public:
-  Replayed(const Machine &machine, const Stage &stage, const Plan &plan)
+  Simulated(const Machine &machine, const Stage &stage, const Plan &plan)
       : model_(defaultSpeedModel(machine.isCpu()                        ? "cpu"
                                  : machine.device->info().kind == "cpu" ? "llvmpipe"
                                                                         : "")),
@@ -70,7 +70,7 @@ public:
 
   RayCost cost(const std::vector<Ray> &rays) const {
     if (!stage_.shape.isEmpty())
-      return replay(stage_.shape, filledUp(rays), plan_);
+      return modelRayCost(stage_.shape, filledUp(rays), plan_);
     RayCost none; // Of a volume without voxels a kernel looks at no word but the first.
     none.levels = static_cast<double>(plan_.layout.strata.size());
     return none;
@@ -123,10 +123,10 @@ StagedRays someOf(const StagedRays &rays, std::size_t count) {
   if (rays.plain.size() <= count)
     return rays;
   StagedRays some;
-  const std::size_t packets = count / kReplayPacket;
+  const std::size_t packets = count / kSimulatedPacket;
   for (std::size_t packet = 0; packet < packets; ++packet) {
-    const std::size_t first = packet * (rays.plain.size() - kReplayPacket) / packets;
-    for (std::size_t i = first; i < first + kReplayPacket; ++i) {
+    const std::size_t first = packet * (rays.plain.size() - kSimulatedPacket) / packets;
+    for (std::size_t i = first; i < first + kSimulatedPacket; ++i) {
       some.plain.push_back(rays.plain[i]);
       if (!rays.bounded.empty())
         some.bounded.push_back(rays.bounded[i]);
@@ -141,7 +141,7 @@ Expected<Expectation> expect(const Machine &machine, const Calibration &calibrat
   const auto plan = makePlan(askedFormat(stage.place, situation), kCpuPlan);
   if (!plan)
     return plan.error();
-  const Replayed replayed(machine, stage, *plan);
+  const Simulated simulated(machine, stage, *plan);
   Expectation expected;
   const auto lanes = static_cast<double>((all.plain.size() + kLanes - 1) / kLanes * kLanes);
   const auto count = static_cast<double>(all.plain.size());
@@ -151,23 +151,23 @@ Expected<Expectation> expect(const Machine &machine, const Calibration &calibrat
     const std::vector<Ray> there = raysInInstances(stage, subject, all, kFew);
     expected.visits =
         static_cast<double>(there.size()) / static_cast<double>(std::min(all.plain.size(), kFew));
-    const double once = there.empty() ? 0 : replayed.nanoseconds(replayed.cost(there), 1) + kVisit;
+    const double once = there.empty() ? 0 : simulated.nanoseconds(simulated.cost(there), 1) + kVisit;
     ray = expected.visits * once + kWorldRay;
   } else {
     const std::vector<Ray> moved = movedToBounds(some);
-    RayCost cost = replayed.cost(moved);
+    RayCost cost = simulated.cost(moved);
     const double share =
         isOfPoints(situation.query) ? 1 / std::max(cost.turns, 1.0) : shareOfWay(stage, some, moved);
     expected.lookups = share * cost.lookups + (share < 1 ? 1 : 0);
-    ray = replayed.nanoseconds(cost, share);
+    ray = simulated.nanoseconds(cost, share);
     // Scattered rays may be sorted first, as is faster.
     const Int3 extent = stage.place.extent;
     const int edge = std::max({extent.x, extent.y, extent.z});
     if (areScattered(all.plain, edge)) {
       const RaySet binned = samplePackets("", all.plain, moved.size(), edge, RayOrder::Binned);
-      cost = replayed.cost(binned.rays);
+      cost = simulated.cost(binned.rays);
       cost.binned = 1;
-      ray = std::min(ray, replayed.nanoseconds(cost, share));
+      ray = std::min(ray, simulated.nanoseconds(cost, share));
     }
   }
   expected.nanoseconds =

@@ -8,13 +8,13 @@ namespace {
 
 /// Above this a time is measured again, three times, before it is told.
 constexpr double kSuspect = 1.8;
-constexpr std::size_t kReplayedRays = 4096;
+constexpr std::size_t kSimulatedRays = 4096;
 constexpr std::size_t kComparedRays = 2000;
 /// Rays of a call whose allocations are counted where nothing is timed.
 constexpr unsigned kCountedCalls = 2;
 
-/// A usual situation, by which a machine's speed is known.
-Place usualPlace() { return {0, "terrain", {128, 128, 128}, *parseFormat("R(3^3) G(4)")}; }
+/// A reference situation, by which a machine's speed is known.
+Place referencePlace() { return {0, "terrain", {128, 128, 128}, *parseFormat("R(3^3) G(4)")}; }
 
 std::uint64_t wrongOf(const Stage &stage, const Situation &situation, const StagedRays &rays,
                       std::span<const Hit> hits, std::uint64_t &compared) {
@@ -51,16 +51,16 @@ Expected<Finder> Finder::create(std::vector<Machine> machines, const FinderOptio
 }
 
 Expected<void> Finder::calibrate() {
-  if (auto entered = enter(usualPlace()); !entered)
+  if (auto entered = enter(referencePlace()); !entered)
     return entered;
-  Situation one{.rays = "missing", .count = 1}, usual{.rays = "near", .count = 65536};
+  Situation one{.rays = "missing", .count = 1}, reference{.rays = "near", .count = 65536};
   for (std::size_t machine = 0; machine < machines_.size(); ++machine) {
     Calibration &calibration = calibrations_[machine];
     const auto call = findOn(machine, one, raysOf(*stage_, one), {.scale = 0, .perCall = 1});
     if (!call)
       return call.error();
     calibration.perCall = (*call)->cost.nanoseconds;
-    const auto rays = findOn(machine, usual, raysOf(*stage_, usual), calibration);
+    const auto rays = findOn(machine, reference, raysOf(*stage_, reference), calibration);
     if (!rays)
       return rays.error();
     calibration.scale = (*rays)->ratio();
@@ -131,7 +131,7 @@ Expected<std::optional<Finding>> Finder::findOn(std::size_t machine, const Situa
       return cost.error();
     finding.cost = *cost;
   }
-  const StagedRays some = someOf(rays, kReplayedRays);
+  const StagedRays some = someOf(rays, kSimulatedRays);
   auto expected = expect(machines_[machine], calibration, *stage_, situation, **subject, rays, some);
   if (!expected)
     return expected.error();
@@ -171,10 +171,10 @@ Expected<void> Finder::count(KernelShelf &shelf, const Situation &situation, con
     return lookups.error();
   finding.lookups = *lookups;
   const Format format = askedFormat(stage_->place, situation);
-  const auto settled = shelf.settledOf(stage_->volume, format, some.span());
-  if (!settled)
-    return settled.error();
-  finding.settled = *settled;
+  const auto exactSteps = shelf.exactStepsOf(stage_->volume, format, some.span());
+  if (!exactSteps)
+    return exactSteps.error();
+  finding.exactSteps = *exactSteps;
   return {};
 }
 

@@ -18,7 +18,7 @@ tool::Json toJson(const Finding &finding) {
       {"first_call_ratio", finding.cost.firstNanoseconds / finding.expected.nanoseconds},
       {"lookups", finding.lookups},
       {"expected_lookups", finding.expected.lookups},
-      {"settled", finding.settled},
+      {"exact_steps", finding.exactSteps},
       {"visits", finding.expected.visits},
       {"allocations", finding.cost.allocations},
       {"page_faults", finding.cost.faults},
@@ -37,7 +37,8 @@ std::string caseLine(const Finding &finding) {
   char counts[160];
   std::snprintf(counts, sizeof counts, "%llu\t%s\t%.3f\t%.3f\t%llu\t",
                 static_cast<unsigned long long>(finding.situation.number), finding.machine.c_str(),
-                finding.lookups, finding.settled, static_cast<unsigned long long>(finding.cost.allocations));
+                finding.lookups, finding.exactSteps,
+                static_cast<unsigned long long>(finding.cost.allocations));
   return counts + describe(finding.place) + "\t" + describe(finding.situation);
 }
 

@@ -20,7 +20,8 @@ struct Finding {
   Cost cost;
   Expectation expected;
   double lookups = 0; ///< A ray, as counted; of instances 0.
-  double settled = 0; ///< Steps, beginnings and arrivals a ray that exact arithmetic had to tell, on the cpu.
+  double exactSteps =
+      0; ///< Steps, beginnings and arrivals a ray that exact arithmetic had to tell, on the cpu.
   std::uint64_t compared = 0;     ///< Rays that were compared with the oracle,
   std::uint64_t wrong = 0;        ///< and those of them that were not right.
   std::optional<double> peer;     ///< Nanoseconds of another tracer a ray.

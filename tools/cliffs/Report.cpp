@@ -61,7 +61,7 @@ std::string toString(const std::optional<double> &nanoseconds) {
 
 void printHead() {
   std::printf("%10s %6s %9s %9s %7s %7s %8s %8s %7s %6s %6s %6s  %s\n", "situation", "ratio", "ns a ray",
-              "expected", "peer", "moved", "lookups", "expected", "settled", "alloc", "faults", "wrong",
+              "expected", "peer", "moved", "lookups", "expected", "exact", "alloc", "faults", "wrong",
               "what");
 }
 
@@ -70,8 +70,8 @@ void printFinding(const Finding &finding) {
   std::printf("%10llu %6.2f %9.1f %9.1f %7s %7s %8.1f %8.1f %7.2f %6llu %6llu %6llu  %s: %s, %s\n",
               static_cast<unsigned long long>(finding.situation.number), finding.ratio(),
               finding.rayNanoseconds(), finding.expected.nanoseconds / count, toString(finding.peer).c_str(),
-              toString(finding.movedOff).c_str(), finding.lookups, finding.expected.lookups, finding.settled,
-              static_cast<unsigned long long>(finding.cost.allocations),
+              toString(finding.movedOff).c_str(), finding.lookups, finding.expected.lookups,
+              finding.exactSteps, static_cast<unsigned long long>(finding.cost.allocations),
               static_cast<unsigned long long>(finding.cost.faults),
               static_cast<unsigned long long>(finding.wrong), finding.machine.c_str(),
               describe(finding.situation).c_str(), describe(finding.place).c_str());

@@ -53,16 +53,17 @@ std::string plainText(RandomSource &random, int side) {
   }
 }
 
-/// Now and then another walk than the format's own.
-void maybeWalk(RandomSource &random, Format &format) {
-  constexpr std::array<const char *, 4> kWalks = {"restart-sv", "unroll-sv", "flat-walk", "direct-walk"};
+/// Now and then another traversal than the format's own.
+void maybeTraverse(RandomSource &random, Format &format) {
+  constexpr std::array<const char *, 4> kTraversals = {"restart-sv", "unroll-sv", "flat-traversal",
+                                                       "direct-traversal"};
   if (random.integer(0, 9) != 0)
     return;
   Diagnostics diagnostics; // What does not apply leaves the format as it is.
-  Format walked = format;
-  findPass(kWalks[static_cast<std::size_t>(random.integer(0, 3))])->run(walked, diagnostics);
+  Format traversed = format;
+  findPass(kTraversals[static_cast<std::size_t>(random.integer(0, 3))])->run(traversed, diagnostics);
   if (!diagnostics.hasErrors())
-    format = walked;
+    format = traversed;
 }
 
 /// Half of them are such as `voxc suggest` looks at; the others are what people write, or by chance.
@@ -145,7 +146,7 @@ Place drawPlace(std::uint64_t seed, std::uint64_t number, const DrawLimits &limi
   const std::vector<std::string> scenes = sceneNames(extent);
   const auto scene = static_cast<std::size_t>(random.integer(0, static_cast<int>(scenes.size()) - 1));
   Place place{number, scenes[scene], extent, drawFormat(random, log2Above(extent))};
-  maybeWalk(random, place.format);
+  maybeTraverse(random, place.format);
   return place;
 }
 

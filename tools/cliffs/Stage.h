@@ -17,7 +17,7 @@ namespace voxc::cliffs {
 struct Stage {
   Place place;
   Oracle oracle;
-  SceneDag shape; ///< As wide as the format, so that rays can be replayed on it.
+  SceneDag shape; ///< As wide as the format, so that rays can be simulated on it.
   Volume volume;
   std::vector<Int3> voxels; ///< Some that are not empty.
 

@@ -82,7 +82,7 @@ Expected<Kernel> KernelShelf::vulkanKernel(const Format &format, Addressing addr
   return kernel;
 }
 
-Expected<double> KernelShelf::settledOf(const Volume &volume, const Format &format, const RaySpan &rays) {
+Expected<double> KernelShelf::exactStepsOf(const Volume &volume, const Format &format, const RaySpan &rays) {
   const auto kernel = cpuKernel(format, Addressing::Buffer);
   if (!kernel)
     return kernel.error();

@@ -30,7 +30,7 @@ class KernelShelf {
 public:
   explicit KernelShelf(Machine &machine) : machine_(machine) {}
   /// What exact arithmetic had to do for some rays, a ray, by the kernel of this processor.
-  Expected<double> settledOf(const Volume &volume, const Format &format, const RaySpan &rays);
+  Expected<double> exactStepsOf(const Volume &volume, const Format &format, const RaySpan &rays);
   /// A new tracer, which knows nothing of earlier rays. The volume must outlive it.
   Expected<std::unique_ptr<Tracer>> tracer(const Volume &volume, const Format &format, unsigned threads);
   /// The same of a volume in pages, for all of which there is room.

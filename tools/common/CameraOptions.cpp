@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char *kCameraForms = "[model:]EX,EY,EZ:LX,LY,LZ[:UX,UY,UZ] or FILE.json:NAME";
 
-constexpr std::array<int, 2> kUsualSize = {Camera{}.width, Camera{}.height};
+constexpr std::array<int, 2> kDefaultSize = {Camera{}.width, Camera{}.height};
 
 /// Splits at each separator; n separators give n + 1 parts.
 std::vector<std::string_view> split(std::string_view text, char separator) {
@@ -174,7 +174,7 @@ Expected<Camera> makeCamera(const CameraOptions &options, Int3 extent, const Tra
   const auto given = checkedSize(options);
   if (!given)
     return given.error();
-  return placeCamera(options, extent, voxelToModel, given->value_or(kUsualSize));
+  return placeCamera(options, extent, voxelToModel, given->value_or(kDefaultSize));
 }
 
 Expected<Camera> makeCamera(const CameraOptions &options, const FileCamera &camera, Int3 extent,
@@ -182,7 +182,7 @@ Expected<Camera> makeCamera(const CameraOptions &options, const FileCamera &came
   const auto given = checkedSize(options);
   if (!given)
     return given.error();
-  const std::array<int, 2> size = given->value_or(camera.size.value_or(kUsualSize));
+  const std::array<int, 2> size = given->value_or(camera.size.value_or(kDefaultSize));
   const glm::dvec3 spacing = spacingOf(options, voxelToModel);
   Camera made = cameraFromAngles(extent, camera.position, camera.pitch, camera.yaw,
                                  options.fov != 0 ? options.fov : camera.fov, size[0], size[1], spacing);

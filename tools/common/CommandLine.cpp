@@ -215,7 +215,7 @@ void CommandLine::addFormer(const std::string &name, const std::string &now) con
 }
 
 void CommandLine::addVersion(const std::string &version) const {
-  app_->set_version_flag("--version", version, "Tell the version and exit");
+  app_->set_version_flag("--version", version, "Print the version and exit");
 }
 
 CommandLine CommandLine::addCommand(const std::string &name, const std::string &text,

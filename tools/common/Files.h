@@ -14,7 +14,7 @@
 
 namespace voxc::tool {
 
-/// Writes a whole file, or nothing: `path` is whole, or as it was. Errors: `Environment` if it cannot be
+/// Writes a whole file, or nothing: `path` is whole, or unchanged. Errors: `Environment` if it cannot be
 /// written.
 Expected<void> writeBytes(const std::string &path, std::span<const std::byte> bytes);
 Expected<void> writeText(const std::string &path, std::string_view text);

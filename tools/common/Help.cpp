@@ -12,7 +12,7 @@ namespace voxc::tool {
 namespace {
 
 constexpr std::size_t kNameColumns = 30;  ///< Where descriptions begin.
-constexpr int kUsualColumns = 100;        ///< Of help that goes to no terminal.
+constexpr int kDefaultColumns = 100;      ///< Of help that goes to no terminal.
 constexpr std::size_t kLeastColumns = 60; ///< A narrower terminal breaks lines itself.
 constexpr std::size_t kMostColumns = 120; ///< Longer lines are hard to read.
 
@@ -42,7 +42,7 @@ public:
 
 private:
   static std::size_t columns() {
-    return std::clamp(std::size_t(terminalColumns(STDOUT_FILENO, kUsualColumns)), kLeastColumns,
+    return std::clamp(std::size_t(terminalColumns(STDOUT_FILENO, kDefaultColumns)), kLeastColumns,
                       kMostColumns);
   }
 
@@ -80,9 +80,9 @@ std::string wrapLine(std::string_view line, std::size_t columns, std::size_t han
 
 } // namespace
 
-int terminalColumns(int file, int usual) {
+int terminalColumns(int file, int fallback) {
   winsize size{};
-  return ioctl(file, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : usual;
+  return ioctl(file, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : fallback;
 }
 
 std::string wrap(std::string_view text, std::size_t columns, std::size_t indent, std::size_t begin) {

@@ -12,8 +12,8 @@ class Option;
 
 namespace voxc::tool {
 
-/// Columns of the terminal behind a file descriptor; `usual` where it is none, or does not say.
-int terminalColumns(int file, int usual);
+/// Columns of the terminal behind a file descriptor; `fallback` where it is none, or does not say.
+int terminalColumns(int file, int fallback);
 
 /// Breaks words so that no line is wider than `columns`, unless a word is; lines after the first begin with
 /// `indent` blanks, which count. The first begins at the column `begin`. Lines that the text has stay.

@@ -22,7 +22,7 @@ namespace {
 constexpr int kEnvironmentExit = 3;
 /// Compilers go deep; less has been seen to end in the middle of them.
 constexpr rlim_t kLeastStack = rlim_t{1} << 20;
-constexpr rlim_t kUsualStack = rlim_t{8} << 20;
+constexpr rlim_t kDefaultStack = rlim_t{8} << 20;
 
 /// A mapped file was cut short by another process, or its disk failed: nothing that was read can be trusted,
 /// and only calls that are safe in a handler can tell.
@@ -43,9 +43,9 @@ void turnSignalsIntoErrors() {
 /// The limit of the first thread counts when its stack grows; others take theirs when they are made.
 Expected<void> enlargeStack() {
   rlimit limit{};
-  if (::getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur >= kUsualStack)
+  if (::getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur >= kDefaultStack)
     return {};
-  limit.rlim_cur = std::min(kUsualStack, limit.rlim_max);
+  limit.rlim_cur = std::min(kDefaultStack, limit.rlim_max);
   if (limit.rlim_cur < kLeastStack)
     return Error::environment("a stack of " + std::to_string(limit.rlim_max >> 10) +
                               " KiB is too small; voxc needs " + std::to_string(kLeastStack >> 10) +

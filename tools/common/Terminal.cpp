@@ -14,7 +14,7 @@ namespace voxc::tool {
 namespace {
 
 constexpr int kBarCells = 30;
-constexpr int kUsualColumns = 80;
+constexpr int kDefaultColumns = 80;
 constexpr std::chrono::milliseconds kRedraw{100};
 constexpr const char *kEraseLine = "\r\x1b[K";
 
@@ -63,7 +63,7 @@ void ProgressBar::draw(std::string_view stage, double fraction, std::uint64_t do
   // A line that wraps could not be erased.
   std::fprintf(stderr, "%s%s", kEraseLine,
                barText(stage_, shown, paceOf(seconds, shown, done, countedIn(stage)),
-                       std::max(terminalColumns(STDERR_FILENO, kUsualColumns) - 1, 1))
+                       std::max(terminalColumns(STDERR_FILENO, kDefaultColumns) - 1, 1))
                    .c_str());
 }
 

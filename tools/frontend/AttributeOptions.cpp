@@ -16,11 +16,11 @@ template <typename Texts> std::string joined(const Texts &texts, std::string_vie
   return text;
 }
 
-/// The attributes of a list; only those that are usually listed, if it `isUsual`.
-std::vector<std::string> namesOf(const AttributeList &list, bool isUsual) {
+/// The attributes of a list; only those that are listed by default, if `isDefault`.
+std::vector<std::string> namesOf(const AttributeList &list, bool isDefault) {
   std::vector<std::string> names;
   for (const AttributeKind *kind : formatAttributes())
-    if (kind->list == &list && (!isUsual || kind->values.front() == "yes"))
+    if (kind->list == &list && (!isDefault || kind->values.front() == "yes"))
       names.emplace_back(kind->name);
   return names;
 }
@@ -77,7 +77,7 @@ Expected<void> AttributeOptions::apply(Format &format) const {
     for (const AttributeKind *kind : formatAttributes())
       if (kind->list == list && !names.empty())
         format.setAttribute(*kind, std::ranges::find(names, kind->name) != names.end() ? "yes" : "no");
-  // What is usual can be listed too, and leaves no trace in the format.
+  // Defaults can be listed too, and leaves no trace in the format.
   const bool lists = std::ranges::any_of(listed_, [](const auto &entry) { return !entry.second.empty(); });
   if (lists && !isOfHits(questionOf(format).query))
     return Error::usage("--outputs chooses what --query closest stores; another query leaves no choice");

@@ -13,7 +13,7 @@ namespace voxc::tool {
 
 class AttributeOptions {
 public:
-  /// Adds an option for each walk attribute of `formatAttributes()`, or for each list of such.
+  /// Adds an option for each traversal attribute of `formatAttributes()`, or for each list of such.
   void declare(const CommandLine &command);
 
   /// Adds --ray-bounds, for a command whose rays may have bounds.

@@ -18,7 +18,7 @@ const char *groupOf(PassChoice choice) {
 }
 
 bool offered(const Pass &pass, PassChoice choice) {
-  return choice != PassChoice::WalkOnly || pass.effect == AttributeEffect::Walk;
+  return choice != PassChoice::TraversalOnly || pass.effect == AttributeEffect::Traversal;
 }
 
 std::string flagOf(const Pass &pass) { return "--" + std::string(pass.name); }
@@ -35,13 +35,22 @@ std::string helpOf(const Pass &pass, PassChoice choice) {
                                                            : "");
 }
 
-/// A flag as it was written: one that was given a number, or several, has the last.
+/// A flag as written: one that was given a number, or several, has the last.
 std::string writtenName(const Option &flag) {
   const std::string name = flag.name().substr(2);
   const Pass *const pass = findPass(name);
   const std::vector<std::string> written = flag.written();
   const std::string value = written.empty() ? "" : written.back();
   return pass && pass->number && value != "true" ? name + "=" + value : name;
+}
+
+/// The flag of a pass; one that had another name says so.
+void declareFlag(const CommandLine &command, const Pass &pass, PassChoice choice) {
+  command.addFlag(flagOf(pass), helpOf(pass, choice));
+  constexpr std::string_view kTraversal = "-traversal";
+  if (pass.name.ends_with(kTraversal))
+    command.addFormer("--" + std::string(pass.name.substr(0, pass.name.size() - kTraversal.size())) + "-walk",
+                      flagOf(pass));
 }
 
 } // namespace
@@ -52,7 +61,7 @@ void PassOptions::declare(const CommandLine &command, PassChoice choice) {
   choice_ = choice;
   for (const Pass &pass : passes())
     if (offered(pass, choice))
-      command.addFlag(flagOf(pass), helpOf(pass, choice));
+      declareFlag(command, pass, choice);
   command
       .add(kPipelineOption, choice == PassChoice::Pipeline ? "The same as their flags, in this order"
                                                            : "The same as their flags")

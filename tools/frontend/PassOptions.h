@@ -10,9 +10,10 @@
 
 namespace voxc::tool {
 
-/// Which passes a command offers: walk passes alone where the volume is finished already; `OfInput`, all, of
-/// which the input may tell the number (`--short-pointers=auto`); `Pipeline`, all, in the order written.
-enum class PassChoice { All, OfInput, WalkOnly, Pipeline };
+/// Which passes a command offers: traversal passes alone where the volume is finished already; `OfInput`,
+/// all, of which the input may tell the number (`--short-pointers=auto`); `Pipeline`, all, in the order
+/// written.
+enum class PassChoice { All, OfInput, TraversalOnly, Pipeline };
 
 /// The passes named on a command line, in the order of the command line.
 class PassOptions {
@@ -29,8 +30,8 @@ public:
   /// The names with these bits for what the input has to tell; without that pass if there are none that do.
   std::vector<std::string> namesWith(std::optional<int> pointerBits) const;
 
-  /// Runs the chosen passes on `format`; what the input has to tell is as usual. Error `Usage`: a storage
-  /// pass where only walk passes apply.
+  /// Runs the chosen passes on `format`; nothing is known of the input. Error `Usage`: a storage
+  /// pass where only traversal passes apply.
   Expected<void> apply(Format &format, const PipelineOptions &options = {}) const;
 
 private:

@@ -153,7 +153,7 @@ Expected<std::vector<double>> Gpu::run(std::span<const GpuStep> steps) const {
           vkGetQueryPoolResults(state_->device, queries, 0, count + 1, sizeof ticks, ticks.data(),
                                 sizeof ticks[0], VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT);
       result != VK_SUCCESS)
-    return gpuError("tell its times", result);
+    return gpuError("read its times", result);
   std::vector<double> seconds(count);
   for (std::uint32_t i = 0; i < count; ++i)
     seconds[i] = static_cast<double>(ticks[i + 1] - ticks[i]) * state_->secondsOfTick;

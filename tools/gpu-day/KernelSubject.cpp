@@ -10,16 +10,16 @@ namespace voxc::gpu {
 namespace {
 
 // Specialization constants of a kernel.
-constexpr std::uint32_t kSettles = 3, kComesNear = 6, kGroup = 7;
+constexpr std::uint32_t kExactFallback = 3, kComesNear = 6, kGroup = 7;
 // Tasks of a dispatch.
-constexpr std::uint32_t kAll = 0, kLeftOver = 1;
+constexpr std::uint32_t kAll = 0, kDeferred = 1;
 
 constexpr std::uint64_t kListHead = 4; // Words before the numbers of rays in the list.
 
-Expected<Program> makeVariant(const Gpu &gpu, const Kernel &kernel, bool settles, std::uint32_t group,
+Expected<Program> makeVariant(const Gpu &gpu, const Kernel &kernel, bool exactFallback, std::uint32_t group,
                               bool anywhere) {
-  const std::array constants = {ProgramConstant{kSettles, settles}, ProgramConstant{kComesNear, anywhere},
-                                ProgramConstant{kGroup, group}};
+  const std::array constants = {ProgramConstant{kExactFallback, exactFallback},
+                                ProgramConstant{kComesNear, anywhere}, ProgramConstant{kGroup, group}};
   return Program::make(gpu, kernel.spirv, 4, 3, constants);
 }
 
@@ -33,13 +33,13 @@ std::vector<GpuStep> KernelSubject::Way::stepsOf(std::uint64_t rays, std::uint32
     steps.push_back({.written = &list, .words = {0, 1, 1, 0}});
   for (std::uint64_t first = 0; first < rays; first += most) {
     const auto count = static_cast<std::uint32_t>(std::min(most, rays - first));
-    steps.push_back({.program = atOnce ? &settles : &leaves,
+    steps.push_back({.program = atOnce ? &resolves : &defers,
                      .words = {static_cast<std::uint32_t>(first), count, kAll},
                      .groupsX = (count + group - 1) / group});
   }
   if (!atOnce)
     steps.push_back(
-        {.program = &settles, .words = {0, static_cast<std::uint32_t>(rays), kLeftOver}, .groups = &list});
+        {.program = &resolves, .words = {0, static_cast<std::uint32_t>(rays), kDeferred}, .groups = &list});
   return steps;
 }
 
@@ -71,20 +71,20 @@ Expected<KernelSubject::Way> KernelSubject::makeWay(const Kernel &kernel, std::u
       (kernel.arithmetic == Arithmetic::Nearest && !gpu_->facts().roundsToNearest))
     return Error::environment("the kernel relies on arithmetic=" + std::string(toString(kernel.arithmetic)) +
                               ", which is not known of the device");
-  auto leaves = makeVariant(*gpu_, kernel, false, group, anywhere);
-  if (!leaves)
-    return leaves.error();
-  auto settles = makeVariant(*gpu_, kernel, true, group, anywhere);
-  if (!settles)
-    return settles.error();
+  auto defers = makeVariant(*gpu_, kernel, false, group, anywhere);
+  if (!defers)
+    return defers.error();
+  auto resolves = makeVariant(*gpu_, kernel, true, group, anywhere);
+  if (!resolves)
+    return resolves.error();
   auto list = gpu_->makeBuffer((kListHead + mostRays) * sizeof(std::uint32_t));
   if (!list)
     return list.error();
-  return Way{group, std::move(*leaves), std::move(*settles), std::move(*list)};
+  return Way{group, std::move(*defers), std::move(*resolves), std::move(*list)};
 }
 
 void KernelSubject::bind(const Way &way, const GpuBuffer &rays, const GpuBuffer &hits) const {
-  for (const Program *const program : {&way.leaves, &way.settles})
+  for (const Program *const program : {&way.defers, &way.resolves})
     program->bind(std::array{&rays, &hits, &words_, &way.list});
 }
 
@@ -110,7 +110,7 @@ Expected<tool::Json> KernelSubject::trace(const Way &way, const RaysThere &set, 
                     {"dispatches", atOnce ? 1 : 2},
                     {"mrays_per_s", speedJson(set.rays.size(), *times)},
                     {"step_seconds", times->steps},
-                    {"left", atOnce ? 0 : list[3]},
+                    {"deferred", atOnce ? 0 : list[3]},
                     {"hits", std::ranges::count_if(hits, &Hit::isHit)},
                     {"error", difference.toJson()}};
 }
@@ -127,7 +127,7 @@ Expected<tool::Json> KernelSubject::measure(const Kernel &kernel, std::span<cons
     if (!way)
       return way.error();
     programs.push_back(
-        {{"group", group}, {"leaves", figuresJson(way->leaves)}, {"settles", figuresJson(way->settles)}});
+        {{"group", group}, {"defers", figuresJson(way->defers)}, {"resolves", figuresJson(way->resolves)}});
     for (const RaysThere &set : sets)
       for (int atOnce = 0; atOnce <= int(options_.atOnce); ++atOnce) {
         auto row = trace(*way, set, atOnce != 0);

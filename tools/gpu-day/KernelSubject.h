@@ -11,7 +11,7 @@ namespace voxc::gpu {
 struct MeasureOptions {
   double seconds = 0.1;              ///< That each figure is measured for.
   std::vector<std::uint32_t> groups; ///< Workgroups of other sizes than the kernel's, measured too.
-  bool atOnce = false;               ///< Trace in one dispatch, which settles, too.
+  bool atOnce = false;               ///< Trace in one dispatch, which resolves, too.
 };
 
 /// A volume on a device.
@@ -27,10 +27,10 @@ public:
   /// A kernel that is ready, with workgroups of a size.
   struct Way {
     std::uint32_t group;
-    Program leaves, settles;
-    GpuBuffer list; ///< Of the rays that the first leaves to the second.
+    Program defers, resolves;
+    GpuBuffer list; ///< Of the rays that the first defers to the second.
 
-    /// The dispatches over so many rays: one that settles, or two.
+    /// The dispatches over so many rays: one that resolves, or two.
     std::vector<GpuStep> stepsOf(std::uint64_t rays, std::uint32_t mostGroups, bool atOnce) const;
   };
 

@@ -6,7 +6,7 @@
 namespace voxc::tool {
 namespace {
 
-/// A number so that it comes back as it was.
+/// A number so that it comes back unchanged.
 std::string exact(double number) {
   char text[32];
   std::snprintf(text, sizeof text, "%.17g", number);

@@ -22,7 +22,7 @@ void VolumeArgument::declare(const CommandLine &command, const std::string &help
   command.add("--frame", frame_, "Which frame of a volume of several, from 1 on; as V.hvx#N")
       .takes("N")
       .between(1, std::numeric_limits<int>::max());
-  command.addFlag("--trusted", trusted_, "Skip the walk that proves every offset, for a file of one's own");
+  command.addFlag("--trusted", trusted_, "Skip the check that proves every offset, for a file of one's own");
   command
       .add(
           "--max-cubes", mostCubes_,
@@ -34,7 +34,7 @@ void VolumeArgument::declare(const CommandLine &command, const std::string &help
 
 void VolumeArgument::declareKernelOptions(const CommandLine &command) {
   attributes_.declare(command);
-  walkPasses_.declare(command, PassChoice::WalkOnly);
+  traversalPasses_.declare(command, PassChoice::TraversalOnly);
 }
 
 Expected<int> VolumeArgument::frame() const {
@@ -73,7 +73,7 @@ Expected<Volume> VolumeArgument::loadFile() const {
 
 Expected<Format> VolumeArgument::kernelFormat(const Volume &volume) const {
   Format format = volume.format();
-  if (Expected<void> passed = walkPasses_.apply(format); !passed)
+  if (Expected<void> passed = traversalPasses_.apply(format); !passed)
     return passed.error();
   if (Expected<void> applied = attributes_.apply(format); !applied)
     return applied.error();

@@ -17,7 +17,7 @@ class VolumeArgument {
 public:
   /// Adds VOLUME and --trusted to a command. `help`: what else it takes.
   void declare(const CommandLine &command, const std::string &help = "A .hvx file");
-  /// Adds --precision and the walk passes, for a command that traces the volume.
+  /// Adds --precision and the traversal passes, for a command that traces the volume.
   void declareKernelOptions(const CommandLine &command);
   /// Adds --ray-bounds, for a command that gives its rays bounds.
   void declareBounds(const CommandLine &command) { attributes_.declareBounds(command); }
@@ -31,7 +31,7 @@ public:
   Expected<int> frame() const;
   /// Whether offsets were left unproven.
   bool trusted() const { return trusted_; }
-  /// The format that a kernel of `volume` shall walk. Error: options that do not go together.
+  /// The format that a kernel of `volume` shall traverse. Error: options that do not go together.
   Expected<Format> kernelFormat(const Volume &volume) const;
 
 private:
@@ -42,7 +42,7 @@ private:
   bool trusted_ = false;
   std::uint64_t mostCubes_ = kMostCubes;
   AttributeOptions attributes_;
-  PassOptions walkPasses_;
+  PassOptions traversalPasses_;
 };
 
 } // namespace voxc::tool

@@ -44,7 +44,7 @@ Expected<Volume> DeviceMemory::open(const std::string &path, int frame, Json &fi
   return outline;
 }
 
-Expected<void> DeviceMemory::prepare(Tracing &tracing, const Format &format, Json &figures,
+Expected<void> DeviceMemory::prepare(TraceSession &tracing, const Format &format, Json &figures,
                                      PagingOptions options) const {
   options.memoryBytes = bytesOf(budget_);
   options.coarse = coarse_.has_value();

@@ -1,7 +1,7 @@
 // Tracing a page file within a budget of memory, for the commands that take a finished volume.
 #pragma once
 
-#include "tracing/Tracing.h"
+#include "tracing/TraceSession.h"
 
 #include "common/CommandLine.h"
 #include "voxc/Render/SurfaceNormals.h"
@@ -31,9 +31,9 @@ public:
   /// Maps the page file, and returns what it says of itself, without words. `frame`: which is to be seen,
   /// from 1 on; 0: the first. Its figures are added. Error: a file that is not compressed has no pages.
   Expected<Volume> open(const std::string &path, int frame, Json &figures);
-  /// Makes `tracing` trace the open file as `format` says. Errors: the walk cannot wait for pages; as
+  /// Makes `tracing` trace the open file as `format` says. Errors: the traversal cannot wait for pages; as
   /// `createPagedTracer`. `options` tell the shelves; memory and blocks are those of the command.
-  Expected<void> prepare(Tracing &tracing, const Format &format, Json &figures,
+  Expected<void> prepare(TraceSession &tracing, const Format &format, Json &figures,
                          PagingOptions options = {}) const;
   /// A shelf for pages that are not read for rays alone: half as large as the memory for pages.
   std::shared_ptr<PageShelf> makeShelf() const;

@@ -7,7 +7,7 @@ namespace {
 
 constexpr const char *kDevice = "--device";
 
-/// The options among those of `tracing` that `command` was given, as it was given them, but for the device.
+/// The options among those of `tracing` that `command` was given, as given them, but for the device.
 std::vector<std::string> givenOptions(const CommandLine &command, const CommandLine &tracing) {
   std::vector<std::string> arguments;
   for (const Option &option : tracing.options()) {
@@ -34,8 +34,8 @@ Expected<void> TracingDevices::open(const CommonOptions &common) {
   if (names.empty())
     names.emplace_back();
   for (const std::string &name : names) {
-    devices_.push_back({name, std::make_unique<Tracing>()});
-    Tracing &tracing = *devices_.back().tracing;
+    devices_.push_back({name, std::make_unique<TraceSession>()});
+    TraceSession &tracing = *devices_.back().tracing;
     const CommandLine options;
     tracing.declare(options);
     std::vector<std::string> arguments = givenOptions(*command_, options);

@@ -1,7 +1,7 @@
 // Tracing on several devices with the same options.
 #pragma once
 
-#include "tracing/Tracing.h"
+#include "tracing/TraceSession.h"
 
 #include <memory>
 #include <string>
@@ -13,12 +13,12 @@ class TracingDevices {
 public:
   struct Device {
     std::string name; ///< As it was asked for; "" is the best there is.
-    std::unique_ptr<Tracing> tracing;
+    std::unique_ptr<TraceSession> tracing;
   };
 
-  /// Adds the options of `Tracing` to a command, of which --device may be given several times.
+  /// Adds the options of `TraceSession` to a command, of which --device may be given several times.
   void declare(const CommandLine &command);
-  /// Opens every device that was asked for. Errors: as `Tracing::openDevice`.
+  /// Opens every device that was asked for. Errors: as `TraceSession::openDevice`.
   Expected<void> open(const CommonOptions &common);
 
   std::vector<Device> &all() { return devices_; }
@@ -27,7 +27,7 @@ public:
 
 private:
   std::optional<CommandLine> command_;
-  Tracing declared_; // Holds the options; each device has a tracing of its own.
+  TraceSession declared_; // Holds the options; each device has a tracing of its own.
   std::vector<Device> devices_;
 };
 

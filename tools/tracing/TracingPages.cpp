@@ -1,5 +1,5 @@
 // Tracing volumes of which only some pages are on the device.
-#include "tracing/Tracing.h"
+#include "tracing/TraceSession.h"
 
 #include "voxc/Kernel/Compile.h"
 #include "voxc/Kernel/CompileCpu.h"
@@ -9,8 +9,8 @@
 
 namespace voxc::tool {
 
-Expected<void> Tracing::preparePages(const PagedVolume &volume, const Format &format, PagingOptions options,
-                                     Json &figures) {
+Expected<void> TraceSession::preparePages(const PagedVolume &volume, const Format &format,
+                                          PagingOptions options, Json &figures) {
   options.threads = threads_;
   if (Expected<void> suits = checkPaging(format); !suits)
     return suits;
@@ -23,10 +23,10 @@ Expected<void> Tracing::preparePages(const PagedVolume &volume, const Format &fo
   return {};
 }
 
-Expected<std::unique_ptr<PagedTracer>> Tracing::makePagedCpuTracer(const PagedVolume &volume,
-                                                                   const Format &format,
-                                                                   const PagingOptions &options,
-                                                                   Json &figures) {
+Expected<std::unique_ptr<PagedTracer>> TraceSession::makePagedCpuTracer(const PagedVolume &volume,
+                                                                        const Format &format,
+                                                                        const PagingOptions &options,
+                                                                        Json &figures) {
   const Stopwatch watch;
   const Expected<CpuKernel> kernel =
       compileCpuKernel(format, {.cache = cache_, .addressing = Addressing::Paged, .start = start_});
@@ -36,10 +36,10 @@ Expected<std::unique_ptr<PagedTracer>> Tracing::makePagedCpuTracer(const PagedVo
   return createPagedCpuTracer(*kernel, volume, options);
 }
 
-Expected<std::unique_ptr<PagedTracer>> Tracing::makePagedVulkanTracer(const PagedVolume &volume,
-                                                                      const Format &format,
-                                                                      const PagingOptions &options,
-                                                                      Json &figures) {
+Expected<std::unique_ptr<PagedTracer>> TraceSession::makePagedVulkanTracer(const PagedVolume &volume,
+                                                                           const Format &format,
+                                                                           const PagingOptions &options,
+                                                                           Json &figures) {
   const Stopwatch watch;
   const Expected<Kernel> kernel = compileKernel(format, {.addressing = Addressing::Paged,
                                                          .loops = device_->info().loops,
@@ -53,11 +53,11 @@ Expected<std::unique_ptr<PagedTracer>> Tracing::makePagedVulkanTracer(const Page
   return createPagedTracer(*device_, *kernel, volume, options);
 }
 
-std::optional<PagingReport> Tracing::paging() const {
+std::optional<PagingReport> TraceSession::paging() const {
   return paged_ ? std::optional(paged_->paging()) : std::nullopt;
 }
 
-void Tracing::addPagingFigures(Json &figures) const {
+void TraceSession::addPagingFigures(Json &figures) const {
   if (!paged_)
     return;
   const PagingReport paging = paged_->paging();

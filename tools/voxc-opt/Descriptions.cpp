@@ -13,7 +13,9 @@ namespace voxc::tool {
 
 namespace {
 
-const char *nameOf(AttributeEffect effect) { return effect == AttributeEffect::Storage ? "storage" : "walk"; }
+const char *nameOf(AttributeEffect effect) {
+  return effect == AttributeEffect::Storage ? "storage" : "traversal";
+}
 
 std::string concat(std::initializer_list<std::string_view> parts) {
   std::string text;

@@ -19,7 +19,7 @@ struct PassPipeline {
   /// The names of all passes in it, without their options.
   std::vector<std::string_view> names() const;
 
-  /// Its text, which `parsePipeline` reads: "merge-grids,short-pointers{bits=20},lower,choose-walk".
+  /// Its text, which `parsePipeline` reads: "merge-grids,short-pointers{bits=20},lower,choose-traversal".
   std::string text() const;
 };
 

@@ -71,7 +71,7 @@ void declare(const CommandLine &command, Options &options) {
   command
       .add("--pass-pipeline", options.pipeline,
            "Run these passes, of both IRs, in place of those that flags choose: "
-           "'merge-grids,short-pointers{bits=20},lower,choose-walk'")
+           "'merge-grids,short-pointers{bits=20},lower,choose-traversal'")
       .takes("TEXT");
   command.addFlag("--dump-pass-pipeline", options.dumpsPipeline,
                   "Print the pipeline as text to standard error");

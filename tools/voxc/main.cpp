@@ -38,7 +38,7 @@ constexpr CommandKind kCommands[] = {
     {kMake, "edit", "Replace boxes of a volume, building only what they touch", makeEditCommand},
     {kMake, "attach", "Give the voxels of a volume named attributes, such as normals", makeAttachCommand},
     {kUse, "render", "Render a picture of a volume", makeRenderCommand},
-    {kUse, "view", "Walk through a volume in a window", makeViewCommand},
+    {kUse, "view", "Show a volume in a window", makeViewCommand},
     {kUse, "run", "Compile, build and render in one go", makeRunCommand},
     {kUse, "trace", "Trace the rays of a file through a volume", makeTraceCommand},
     {kUse, "export",

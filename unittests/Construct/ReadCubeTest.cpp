@@ -1,4 +1,4 @@
-// Cubes of a volume that are read in one walk are what lookups of each voxel tell.
+// Cubes of a volume that are read in one traversal are what lookups of each voxel tell.
 #include "TestLength.h"
 
 #include "Volume/Decode.h"

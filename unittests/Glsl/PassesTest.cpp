@@ -106,18 +106,18 @@ TEST(DropUnused, LeavesWhatTheRootsComeTo) {
 }
 
 TEST(DropUnused, LeavesMembersThatAreRead) {
-  EXPECT_EQ(dropped("struct Walk {\n  int cell;\n  int axis;\n  int kept;\n};\n"
-                    "Walk begin() { return Walk(1, -1, 2); }\n"
+  EXPECT_EQ(dropped("struct Traversal {\n  int cell;\n  int axis;\n  int kept;\n};\n"
+                    "Traversal begin() { return Traversal(1, -1, 2); }\n"
                     "void main() {\n"
-                    "  Walk walk = begin();\n"
-                    "  walk.axis = walk.cell > 1 ? 1 : walk.axis;\n"
-                    "  walk.kept = walk.cell;\n"
+                    "  Traversal traversal = begin();\n"
+                    "  traversal.axis = traversal.cell > 1 ? 1 : traversal.axis;\n"
+                    "  traversal.kept = traversal.cell;\n"
                     "}\n"),
-            "struct Walk {\n  int cell;\n  int kept;\n};\n"
-            "Walk begin() { return Walk(1, 2); }\n"
+            "struct Traversal {\n  int cell;\n  int kept;\n};\n"
+            "Traversal begin() { return Traversal(1, 2); }\n"
             "void main() {\n"
-            "  Walk walk = begin();\n"
-            "  walk.kept = walk.cell;\n"
+            "  Traversal traversal = begin();\n"
+            "  traversal.kept = traversal.cell;\n"
             "}\n");
 }
 

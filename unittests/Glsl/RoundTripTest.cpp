@@ -58,7 +58,7 @@ TEST(RoundTrip, KeepsStatements) {
 TEST(RoundTrip, KeepsExpressions) {
   expectSame("int f(int a) { return a + (a & 3) * ~a << (a > 0 ? -a : a >= 7 ? 1 : 0) | v.xy[a % 2].x ^ g(a, "
              "0x7fu); }\n"
-             "void g(inout Walk walk) { walk.cell.x |= walk.steps >> 31; }\n"
+             "void g(inout Traversal traversal) { traversal.cell.x |= traversal.steps >> 31; }\n"
              "float h() { return 1e-30f + 2.5e3 - x; }\n");
 }
 

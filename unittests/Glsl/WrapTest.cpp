@@ -21,7 +21,7 @@ std::string contentOf(std::string_view text) {
   return content;
 }
 
-std::size_t longest(const std::string &text) {
+std::size_t maxComponent(const std::string &text) {
   std::istringstream lines(text);
   std::size_t most = 0;
   for (std::string line; std::getline(lines, line);)
@@ -48,7 +48,7 @@ TEST(Wrap, LongLinesAreBrokenAndSayTheSame) {
         "// " + repeated("word ", 60) + "end.", "  // " + repeated("word ", 60) + "end.",
         "int g(" + repeated("int a, ", 8) + "int b) { return " + repeated("value(a) + ", 6) + "b; }"}) {
     const std::string text = wrapped(line + "\n");
-    EXPECT_LE(longest(text), 120u) << text;
+    EXPECT_LE(maxComponent(text), 120u) << text;
     EXPECT_GT(std::ranges::count(text, '\n'), 1) << text;
     EXPECT_EQ(contentOf(text), contentOf(line));
   }

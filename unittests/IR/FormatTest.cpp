@@ -51,8 +51,8 @@ TEST(Format, RefusesWhatNoVolumeCanHold) {
 }
 
 /// Sets the limit back.
-struct UsualLevels {
-  ~UsualLevels() { allowLevels(kUsualLevels); }
+struct DefaultLevels {
+  ~DefaultLevels() { allowLevels(kDefaultLevels); }
 };
 
 std::string levelsOf(std::size_t count) {
@@ -63,9 +63,9 @@ std::string levelsOf(std::size_t count) {
 }
 
 TEST(Format, HasAsManyLevelsAsTheProcessAllows) {
-  const UsualLevels after;
-  EXPECT_TRUE(parseFormat(levelsOf(kUsualLevels)));
-  const auto refused = parseFormat(levelsOf(kUsualLevels + 1));
+  const DefaultLevels after;
+  EXPECT_TRUE(parseFormat(levelsOf(kDefaultLevels)));
+  const auto refused = parseFormat(levelsOf(kDefaultLevels + 1));
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message, HasSubstr("has 22 levels; it may have at most 21, or up to 64 where "
                                                  "VOXC_MAX_LEVELS allows so many"));
@@ -101,12 +101,12 @@ TEST(Format, KeepsAttributesInOneOrder) {
   Format one = *parseFormat("R(1^3) G(2)");
   Format other = one;
   one.levels[1].setAttribute(kDedupAttribute, "level");
-  one.levels[1].setAttribute(kWalkAttribute, "restart");
-  other.levels[1].setAttribute(kWalkAttribute, "restart");
+  one.levels[1].setAttribute(kTraversalAttribute, "restart");
+  other.levels[1].setAttribute(kTraversalAttribute, "restart");
   other.levels[1].setAttribute(kDedupAttribute, "level");
   EXPECT_EQ(one, other);
   EXPECT_FALSE(one.levels[0].setAttribute(kDedupAttribute, "level")) << "a raw grid has no such attribute";
-  EXPECT_EQ(storageFormat(one).levels[1].attribute(kWalkAttribute), "stack");
+  EXPECT_EQ(storageFormat(one).levels[1].attribute(kTraversalAttribute), "stack");
   EXPECT_EQ(storageFormat(one).levels[1].attribute(kDedupAttribute), "level");
   EXPECT_EQ(storageDigest(one), storageDigest(storageFormat(one)));
   EXPECT_NE(storageDigest(one), storageDigest(*parseFormat("R(1^3) G(2)")));
@@ -119,7 +119,7 @@ TEST(Ir, AFormatHasAttributesOfItsOwn) {
   EXPECT_EQ(storageDigest(format), storageDigest(*parseFormat("R(2^3)")));
   EXPECT_TRUE(format.setAttribute(kPrecisionAttribute, "exact"));
   EXPECT_EQ(format, *parseFormat("R(2^3)"));
-  EXPECT_FALSE(format.setAttribute(kWalkAttribute, "restart")) << "an attribute of levels";
+  EXPECT_FALSE(format.setAttribute(kTraversalAttribute, "restart")) << "an attribute of levels";
 }
 
 TEST(Ir, SaysWhatIsAskedOfAKernel) {
@@ -135,9 +135,9 @@ TEST(Ir, SaysWhatIsAskedOfAKernel) {
 }
 
 TEST(Ir, RefusesValuesThatAnAttributeLacks) {
-  Format format = *parseFormat("format precision=fast { level 1: svdag(2) walk=restart }");
+  Format format = *parseFormat("format precision=fast { level 1: svdag(2) traversal=restart }");
   const Format before = format;
-  EXPECT_FALSE(format.levels[0].setAttribute(kWalkAttribute, "level")) << "a value of another attribute";
+  EXPECT_FALSE(format.levels[0].setAttribute(kTraversalAttribute, "level")) << "a value of another attribute";
   EXPECT_FALSE(format.levels[0].setAttribute(kDedupAttribute, ""));
   EXPECT_FALSE(format.setAttribute(kPrecisionAttribute, "exactly"));
   EXPECT_EQ(format, before);
@@ -157,14 +157,14 @@ TEST(Ir, RoundTripsRandomFormats) {
 
 TEST(Ir, DropsDefaultsAndComments) {
   const auto parsed =
-      parseFormat("format { // two levels\n level 1: svo(3) walk=stack level 2: raw(1,1,1)\n}");
+      parseFormat("format { // two levels\n level 1: svo(3) traversal=stack level 2: raw(1,1,1)\n}");
   ASSERT_TRUE(parsed) << parsed.error().message;
   EXPECT_EQ(printIr(*parsed), "format {\n  level 1: svo(3)\n  level 2: raw(1, 1, 1)\n}\n");
 }
 
 TEST(Ir, RefusesWhatItDoesNotKnow) {
-  EXPECT_THAT(errorOf("format { level 1: raw(1,1,1) walk=restart }"), HasSubstr("it has share"));
-  EXPECT_THAT(errorOf("format { level 1: svdag(3) walk=up }"), HasSubstr("it takes stack, restart"));
+  EXPECT_THAT(errorOf("format { level 1: raw(1,1,1) traversal=restart }"), HasSubstr("it has share"));
+  EXPECT_THAT(errorOf("format { level 1: svdag(3) traversal=up }"), HasSubstr("it takes stack, restart"));
   EXPECT_THAT(errorOf("format { level 2: svdag(3) }"), HasSubstr("level 1 should be"));
   EXPECT_THAT(errorOf("format { level 1: tree(3) }"), HasSubstr("raw, distance, svo, svdag"));
   EXPECT_THAT(errorOf("format { }"), HasSubstr("no level"));

@@ -129,7 +129,7 @@ TEST_F(TiffSlices, WhatPagesHaveIsTold) {
   EXPECT_THAT(warningsOf(1, ORIENTATION_BOTLEFT, 10, "by hand"), ElementsAre(HasSubstr("(orientation 4)")));
   EXPECT_THAT(warningsOf(1, kUpperLeft, 5, "by hand"), ElementsAre(HasSubstr("its pixels are no squares")));
   EXPECT_THAT(warningsOf(1, kUpperLeft, 10, "ImageJ=1.53\nimages=3\n"),
-              ElementsAre("its description tells of 3 images, but it has 1 page; the others are left out"));
+              ElementsAre("its description names 3 images, but it has 1 page; the others are left out"));
 }
 
 TEST_F(TiffSlices, Colours) {

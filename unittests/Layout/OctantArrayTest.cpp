@@ -1,4 +1,4 @@
-// Small grids by octants: what goes in comes out, in the words that are foretold; what is broken is found.
+// Small grids by octants: what goes in comes out, in the words that are predicted; what is broken is found.
 #include "voxc/Layout/OctantArray.h"
 #include "voxc/Volume/Volume.h"
 

@@ -39,7 +39,7 @@ TEST_P(SlotVisit, TellsWhatLookUpsTell) {
   const Layout layout = layoutOf(*parseFormat(GetParam().format));
   const Stratum &stratum = layout.strata[GetParam().level];
   const SlotKind &slots = *stratum.slots;
-  const int side = 1 << longest(stratum.log2Shape);
+  const int side = 1 << maxComponent(stratum.log2Shape);
   std::mt19937 random(1);
   constexpr std::uint64_t kNode = 2;
   for (int run = 0; run < 200; ++run) {

@@ -1,4 +1,4 @@
-// The definition of a hit once more, with neither walk nor filter: every voxel's own interval of t, as
+// The definition of a hit once more, with neither traversal nor filter: every voxel's own interval of t, as
 // rationals.
 #pragma once
 

@@ -1,7 +1,7 @@
 // The face of entry and the cells on the way, against brute force in rational arithmetic.
 #include "testing/HardRays.h"
 
-#include "../../lib/Oracle/ExactWalk.h"
+#include "../../lib/Oracle/ExactTraversal.h"
 #include "BruteForce.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Each sentence of the definition of a hit (docs/ir.md), by hand.
-#include "../../lib/Oracle/ExactWalk.h"
+#include "../../lib/Oracle/ExactTraversal.h"
 
 #include <gtest/gtest.h>
 

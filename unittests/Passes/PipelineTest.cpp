@@ -113,9 +113,9 @@ TEST(PlanPipeline, RunsThosePassesThatAreGiven) {
   options.afterEach = [&](const PassReport &report, PrintedIr) { run.emplace_back(report.pass); };
   std::optional<Plan> plan = lowerToPlan(format, {}, options);
   ASSERT_TRUE(plan);
-  const PlanPass *const chosen[] = {findPlanPass("choose-descents"), findPlanPass("choose-walk")};
+  const PlanPass *const chosen[] = {findPlanPass("choose-descents"), findPlanPass("choose-traversal")};
   ASSERT_TRUE(runPlanPasses(*plan, chosen, options));
-  EXPECT_THAT(run, ElementsAre("lower", "choose-descents", "choose-walk"));
+  EXPECT_THAT(run, ElementsAre("lower", "choose-descents", "choose-traversal"));
   EXPECT_EQ(plan->traversals[1].descent, Descent::Single);
   EXPECT_EQ(findPlanPass("lower"), nullptr);
 }

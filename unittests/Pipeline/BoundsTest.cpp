@@ -42,8 +42,8 @@ constexpr const char *kKinds[] = {
     "M(2^3) M(2^3)",
     "H(2^3) H(2^3)",
     "S(0)",
-    "format { level 1: svdag(4) walk=restart }",
-    "format { level 1: svo(3) walk=unrolled level 2: raw(1, 1, 1) }",
+    "format { level 1: svdag(4) traversal=restart }",
+    "format { level 1: svo(3) traversal=unrolled level 2: raw(1, 1, 1) }",
     "format levels=flat { level 1: svdag(2) level 2: distance(2, 2, 2, 5) }",
     "format levels=direct { level 1: distance(2, 2, 2, 15) distances=in-slot metric=octant level 2: "
     "masked(2, 2, 2) }",
@@ -133,7 +133,7 @@ TEST_P(Bounds, AreKeptExactlyInRandomFormats) {
   }
 }
 
-/// A solid of which most voxels are entered before tmin, and a walk of many steps to it.
+/// A solid of which most voxels are entered before tmin, and a traversal of many steps to it.
 TEST_P(Bounds, AreKeptExactlyInDeepSolids) {
   const Format format = *parseFormat("R(2^3) G(8)");
   const test::HardScene full{"full", [](Int3) { return 0xff336699u; }, {}, format.extent()};

@@ -68,8 +68,8 @@ protected:
     return traced(createCpuTracer(kernel, volume, 2), rays, countSteps);
   }
 
-  /// The hits must come out alike, and the lookups too where no step is settled; a device of lanes settles
-  /// outside of the walk, and then looks again. Nothing to compare without llvmpipe.
+  /// The hits must come out alike, and the lookups too where no step is resolved; a device of lanes resolves
+  /// outside of the traversal, and then looks again. Nothing to compare without llvmpipe.
   static void expectVulkansHits(const Volume &volume, const Format &format, std::span<const Ray> rays,
                                 const std::string &what) {
     auto device = Device::open("llvmpipe");
@@ -78,27 +78,27 @@ protected:
     const auto kernel = compiledOnce(format, [&] { return compileKernel(format, kLikeTheCpu); });
     const auto theirs = traced(createTracer(*device, kernel, volume), rays, true);
     const auto ours = cpuHits(volume, format, rays, true);
-    const bool settles = format.attributes.value(kPrecisionAttribute) == "exact";
+    const bool resolves = format.attributes.value(kPrecisionAttribute) == "exact";
     for (std::size_t i = 0; i < rays.size(); ++i) {
       const std::string where = what + ", ray " + std::to_string(i);
       ASSERT_EQ(std::memcmp(&ours[i], &theirs[i], offsetof(Hit, steps)), 0)
           << where << ": t = " << ours[i].t << " and " << theirs[i].t;
       ASSERT_LE(ours[i].steps, theirs[i].steps) << where;
-      ASSERT_TRUE(settles || ours[i].steps == theirs[i].steps) << where << ": " << ours[i].steps;
+      ASSERT_TRUE(resolves || ours[i].steps == theirs[i].steps) << where << ": " << ours[i].steps;
     }
   }
 
-  static void expectSameHitsOfAllWalks(const Format &format, const test::HardScene &scene,
-                                       std::size_t count) {
+  static void expectSameHitsOfAllTraversals(const Format &format, const test::HardScene &scene,
+                                            std::size_t count) {
     const auto volume = build(format, scene);
     ASSERT_TRUE(volume) << volume.error().message;
     const auto rays = verifyRays(scene.extent, count, 3);
     const auto stack = cpuHits(*volume, format, rays);
     for (const char *pass : {"restart-sv", "unroll-sv"}) {
-      Format walked = format;
+      Format traversed = format;
       Diagnostics diagnostics;
-      ASSERT_EQ(findPass(pass)->run(walked, diagnostics), PassResult::Changed);
-      const auto hits = cpuHits(*volume, walked, rays);
+      ASSERT_EQ(findPass(pass)->run(traversed, diagnostics), PassResult::Changed);
+      const auto hits = cpuHits(*volume, traversed, rays);
       EXPECT_EQ(std::memcmp(stack.data(), hits.data(), stack.size() * sizeof(Hit)), 0) << scene.name;
     }
   }
@@ -137,19 +137,19 @@ TEST_F(CpuKernels, GiveTheHitsOfVulkanAndTheOracleOnRandomFormats) {
   }
 }
 
-TEST_F(CpuKernels, GiveTheSameHitsWithEveryWalk) {
+TEST_F(CpuKernels, GiveTheSameHitsWithEveryTraversal) {
   const Format format = *parseFormat("S(2) D(1^3, 2) G(3)");
-  expectSameHitsOfAllWalks(format, test::hardScenes(format.extent())[6], 20000);
+  expectSameHitsOfAllTraversals(format, test::hardScenes(format.extent())[6], 20000);
 }
 
-TEST_F(CpuKernels, WalkLeavesThatStandForManySubVolumes) {
+TEST_F(CpuKernels, TraverseLeavesThatStandForManySubVolumes) {
   // Equal sub-volumes are one, so that eight leaves collapse above them too.
   const Format format = *parseFormat("format { level 1: svdag(2) level 2: svdag(2) dedup=level }");
   for (const test::HardScene &scene : test::hardScenes(format.extent()))
-    expectSameHitsOfAllWalks(format, scene, 2000);
+    expectSameHitsOfAllTraversals(format, scene, 2000);
 }
 
-TEST_F(CpuKernels, FinishWalksThatLlvmpipeWouldCutShort) {
+TEST_F(CpuKernels, FinishTraversalsThatLlvmpipeWouldCutShort) {
   const Format format = *parseFormat("R(18,0,0)");
   const auto volume = build(format, {"", [](Int3 c) { return c.x == 3 ? 9u : 0u; }, {}, format.extent()});
   ASSERT_TRUE(volume) << volume.error().message;
@@ -197,7 +197,7 @@ TEST_F(CpuKernels, AreExactWithAnyNumberOfLanes) {
 
 TEST_F(CpuKernels, CountTheWordsThatVulkansRead) {
   Format format = *parseFormat("R(1^3) G(3)");
-  format.setAttribute(kPrecisionAttribute, "fast"); // No step is settled, after which words are read again.
+  format.setAttribute(kPrecisionAttribute, "fast"); // No step is resolved, after which words are read again.
   const test::HardScene scene = test::hardScenes(format.extent())[7];
   const auto volume = build(format, scene);
   ASSERT_TRUE(volume) << volume.error().message;
@@ -223,7 +223,7 @@ TEST_F(CpuKernels, CountTheWordsThatVulkansRead) {
   }
 }
 
-TEST_F(CpuKernels, CountAWordForEachCellOfAGridAlsoWhereWalksAreCutShort) {
+TEST_F(CpuKernels, CountAWordForEachCellOfAGridAlsoWhereTraversalsAreCutShort) {
   const Format format = *parseFormat("R(18,0,0)");
   const auto volume = build(format, {"", [](Int3 c) { return c.x == 3 ? 9u : 0u; }, {}, format.extent()});
   ASSERT_TRUE(volume) << volume.error().message;
@@ -287,8 +287,8 @@ TEST_F(CpuKernels, FitOnlyTheStorageTheyWereMadeFor) {
   ASSERT_FALSE(hit);
   EXPECT_EQ(hit.error().message, refused.error().message);
   const auto restart =
-      compileCpuKernel(*parseFormat("format { level 1: raw(1,1,1) level 2: svdag(2) walk=restart }"));
-  EXPECT_TRUE(createCpuTracer(*restart, *volume)) << "a walk does not change storage";
+      compileCpuKernel(*parseFormat("format { level 1: raw(1,1,1) level 2: svdag(2) traversal=restart }"));
+  EXPECT_TRUE(createCpuTracer(*restart, *volume)) << "a traversal does not change storage";
 }
 
 TEST(CpuObject, IsMadeForAnyProcessorThatClangKnows) {

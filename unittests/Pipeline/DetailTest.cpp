@@ -1,4 +1,4 @@
-// Kernels that stop at what looks small: every walk and addressing, and what they stop at.
+// Kernels that stop at what looks small: every traversal and addressing, and what they stop at.
 #include "TestLength.h"
 
 #include "testing/HardScenes.h"
@@ -87,12 +87,12 @@ TEST_F(DetailKernels, StopAtTheFirstChildOfTheRootThatIsNotEmptyWhenAllIsSmall) 
           return c.y == 1 || c.x == 0 ? 1u : 0u;
         }));
     const Oracle oracle = *Oracle::of(coarse->volume);
-    for (const char *walk : {"stack", "restart", "unrolled"}) {
-      Format walked = format;
-      for (Level &level : walked.levels)
-        level.setAttribute(kWalkAttribute, walk);
+    for (const char *traversal : {"stack", "restart", "unrolled"}) {
+      Format traversed = format;
+      for (Level &level : traversed.levels)
+        level.setAttribute(kTraversalAttribute, traversal);
       const auto rays = raysFromOutside({32, 32, 32}, 2000);
-      const auto hits = hitsOf(built->volume, walked, "cone", 1e6f, rays);
+      const auto hits = hitsOf(built->volume, traversed, "cone", 1e6f, rays);
       std::size_t differences = 0;
       for (std::size_t i = 0; i < rays.size(); ++i) {
         Ray scaled = rays[i];
@@ -106,18 +106,18 @@ TEST_F(DetailKernels, StopAtTheFirstChildOfTheRootThatIsNotEmptyWhenAllIsSmall) 
         ASSERT_TRUE(!hits[i].isHit() || hits[i].rgba == 0xff00ffffu) << text;
       }
       // Rounding at a boundary may tell a ray another child.
-      EXPECT_LE(differences, 2u) << text << " " << walk << " of " << rays.size();
+      EXPECT_LE(differences, 2u) << text << " " << traversal << " of " << rays.size();
     }
   }
 }
 
-TEST_F(DetailKernels, GiveTheSameHitsWithEveryWalkAndAddressing) {
+TEST_F(DetailKernels, GiveTheSameHitsWithEveryTraversalAndAddressing) {
   const Format stack = *parseFormat("S(2) D(1^3, 2) G(3)");
   Format restart = stack, unrolled = stack;
   for (Level &level : restart.levels)
-    level.setAttribute(kWalkAttribute, "restart");
+    level.setAttribute(kTraversalAttribute, "restart");
   for (Level &level : unrolled.levels)
-    level.setAttribute(kWalkAttribute, "unrolled");
+    level.setAttribute(kTraversalAttribute, "unrolled");
   const auto built = Constructor::compile(stack)->build(*test::hardScenes(stack.extent())[7].source());
   const auto rays = verifyRays(stack.extent(), 10000, 3);
   const auto full = hitsOf(built->volume, stack, "full", 0, rays);

@@ -81,18 +81,19 @@ void expectExact(Expected<std::unique_ptr<Tracer>> tracer, const Volume &volume,
   EXPECT_TRUE(compare(*Oracle::of(volume), rays, hits).clean()) << what;
 }
 
-/// The walks that there are take turns: compiling takes most of the time.
-Format walkedInTurn(Format format) {
-  static constexpr std::string_view kWalks[] = {"", "restart-sv", "flat-walk", "unroll-sv", "direct-walk"};
+/// The traversals that there are take turns: compiling takes most of the time.
+Format traversedInTurn(Format format) {
+  static constexpr std::string_view kTraversals[] = {"", "restart-sv", "flat-traversal", "unroll-sv",
+                                                     "direct-traversal"};
   static std::size_t turn = 0;
-  Diagnostics diagnostics; // A walk that does not apply leaves the format as it is.
-  if (const Pass *pass = findPass(kWalks[turn++ % std::size(kWalks)]))
+  Diagnostics diagnostics; // A traversal that does not apply leaves the format as it is.
+  if (const Pass *pass = findPass(kTraversals[turn++ % std::size(kTraversals)]))
     pass->run(format, diagnostics);
   return format;
 }
 
 void expectExactOnCpu(const Volume &volume, const HardScene &scene) {
-  const auto kernel = compileCpuKernel(walkedInTurn(volume.format()), {.start = CpuStart::Fast});
+  const auto kernel = compileCpuKernel(traversedInTurn(volume.format()), {.start = CpuStart::Fast});
   ASSERT_TRUE(kernel) << kernel.error().message;
   expectExact(createCpuTracer(*kernel, volume, 2), volume, scene);
 }
@@ -102,7 +103,7 @@ void expectExactOnVulkan(const Volume &volume, const HardScene &scene, Addressin
   auto device = Device::open("llvmpipe");
   if (!device)
     return;
-  const auto kernel = compileKernel(walkedInTurn(volume.format()), {addressing});
+  const auto kernel = compileKernel(traversedInTurn(volume.format()), {addressing});
   ASSERT_TRUE(kernel) << kernel.error().message;
   expectExact(createTracer(*device, *kernel, volume), volume, scene);
 }

@@ -35,8 +35,8 @@ constexpr const char *kKindsOfSlots[] = {
     "H(2^3) H(2^3)",
     "S(0)",
     "R(1,2,0) G(2)",
-    "format { level 1: svdag(4) walk=restart }",
-    "format { level 1: svo(3) walk=unrolled level 2: raw(1, 1, 1) }",
+    "format { level 1: svdag(4) traversal=restart }",
+    "format { level 1: svo(3) traversal=unrolled level 2: raw(1, 1, 1) }",
     "format levels=flat { level 1: svdag(2) level 2: distance(2, 2, 2, 5) }",
     "format levels=direct { level 1: distance(2, 2, 2, 15) distances=in-slot metric=octant level 2: "
     "masked(2, 2, 2) }",

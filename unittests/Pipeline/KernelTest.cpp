@@ -1,4 +1,4 @@
-// Generated kernels against the oracle, for every format, walk and addressing.
+// Generated kernels against the oracle, for every format, traversal and addressing.
 #include "TestLength.h"
 
 #include "testing/HardRays.h"
@@ -125,7 +125,7 @@ TEST_F(Kernels, AgreeWithTheOracleOnRandomFormats) {
   }
 }
 
-TEST_F(Kernels, GiveTheSameHitsWithEveryWalkAndAddressing) {
+TEST_F(Kernels, GiveTheSameHitsWithEveryTraversalAndAddressing) {
   const Format format = *parseFormat("S(2) D(1^3, 2) G(3)");
   const test::HardScene scene = test::hardScenes(format.extent())[6];
   const auto built = Constructor::compile(format)->build(*scene.source());
@@ -134,16 +134,16 @@ TEST_F(Kernels, GiveTheSameHitsWithEveryWalkAndAddressing) {
   const auto segments = hitsOf(built->volume, format, Addressing::Segments, rays);
   const auto bytes = stack.size() * sizeof(Hit);
   for (const char *pass : {"restart-sv", "unroll-sv"}) {
-    Format walked = format;
+    Format traversed = format;
     Diagnostics diagnostics;
-    ASSERT_EQ(findPass(pass)->run(walked, diagnostics), PassResult::Changed);
-    const auto hits = hitsOf(built->volume, walked, Addressing::Buffer, rays);
+    ASSERT_EQ(findPass(pass)->run(traversed, diagnostics), PassResult::Changed);
+    const auto hits = hitsOf(built->volume, traversed, Addressing::Buffer, rays);
     EXPECT_EQ(std::memcmp(stack.data(), hits.data(), bytes), 0);
   }
   EXPECT_EQ(std::memcmp(stack.data(), segments.data(), bytes), 0);
 }
 
-TEST_F(Kernels, FinishWalksThatTheDeviceCutsShort) {
+TEST_F(Kernels, FinishTraversalsThatTheDeviceCutsShort) {
   // Llvmpipe ends every loop of an invocation after 65535 turns in all.
   for (const char *text : {"R(18,0,0)", "R(16,0,0) S(2)", "D(18,0,0,1)", "R(16,0,0) G(2)"}) {
     const Format format = *parseFormat(text);
@@ -167,8 +167,8 @@ TEST_F(Kernels, FitOnlyTheStorageTheyWereMadeFor) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().kind, ErrorKind::Input);
   const auto restart =
-      compileKernel(*parseFormat("format { level 1: raw(1,1,1) level 2: svdag(2) walk=restart }"));
-  EXPECT_TRUE(createTracer(*device_, *restart, built->volume)) << "a walk does not change storage";
+      compileKernel(*parseFormat("format { level 1: raw(1,1,1) level 2: svdag(2) traversal=restart }"));
+  EXPECT_TRUE(createTracer(*device_, *restart, built->volume)) << "a traversal does not change storage";
 }
 
 TEST(Kernel, IsValidForEveryBaseFormatAndOptimised) {

@@ -16,10 +16,10 @@ namespace {
 
 using namespace test;
 
-Format withRayWalks(Format format) {
+Format withRayTraversals(Format format) {
   for (Level &level : format.levels)
     if (level.kind->isTree())
-      level.setAttribute(kWalkAttribute, "stack");
+      level.setAttribute(kTraversalAttribute, "stack");
   format.setAttribute(kLevelsAttribute, "auto");
   format.setAttribute(kDetailAttribute, "full");
   return format;
@@ -61,7 +61,7 @@ TEST_F(Paging, GivesTheHitsOfResidentVolumesOfEveryKind) {
     const HardScene scene = sceneOf(format, number++);
     const auto volume = build(format, scene);
     ASSERT_TRUE(volume) << volume.error().message;
-    expectSameEverywhere(*volume, paged(*volume), withRayWalks(format),
+    expectSameEverywhere(*volume, paged(*volume), withRayTraversals(format),
                          verifyRays(scene.extent, 600, number));
   }
 }
@@ -69,7 +69,7 @@ TEST_F(Paging, GivesTheHitsOfResidentVolumesOfEveryKind) {
 TEST_F(Paging, GivesTheHitsOfResidentVolumesInRandomFormats) {
   std::mt19937 random(41);
   for (int i = 0; i < rounds(6); ++i) {
-    const Format format = withRayWalks(randomFormat(random, pick(random, 3, 6)));
+    const Format format = withRayTraversals(randomFormat(random, pick(random, 3, 6)));
     const HardScene scene = i % 2 == 0 ? noise(format.extent(), i) : sceneOf(format, random());
     const auto volume = build(format, scene);
     ASSERT_TRUE(volume) << volume.error().message;

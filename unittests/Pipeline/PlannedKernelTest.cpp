@@ -27,8 +27,10 @@ struct OtherChoice {
 
 constexpr OtherChoice kOtherChoices[] = {
     {"speculative", [](Plan &plan) { plan.speculative = !plan.speculative; }},
-    {"gap-faces",
-     [](Plan &plan) { plan.gapFaces = plan.gapFaces == GapFaces::Step ? GapFaces::Lookup : GapFaces::Step; }},
+    {"span-faces",
+     [](Plan &plan) {
+       plan.spanFaces = plan.spanFaces == SpanFaces::Step ? SpanFaces::Lookup : SpanFaces::Step;
+     }},
     {"compare",
      [](Plan &plan) { plan.compare = plan.compare == Compare::Bits ? Compare::Numbers : Compare::Bits; }},
     {"packet-width",
@@ -124,12 +126,12 @@ TEST_P(PlannedKernels, HitTheSame) {
   EXPECT_GT(tried_, 1);
 }
 
-const Place kDirect = {"D(3^3, 15) M(2^3)", {"octant-distances", "direct-walk"}};
+const Place kDirect = {"D(3^3, 15) M(2^3)", {"octant-distances", "direct-traversal"}};
 const Place kApart = {"R(2^3) M(3^3)", {"values-apart"}};
 
 INSTANTIATE_TEST_SUITE_P(Places, PlannedCpuKernels, ::testing::Values(kDirect, kApart));
 INSTANTIATE_TEST_SUITE_P(Places, PlannedKernels,
-                         ::testing::Values(kDirect, kApart, Place{"R(1^3) G(2) M(2^3)", {"direct-walk"}},
+                         ::testing::Values(kDirect, kApart, Place{"R(1^3) G(2) M(2^3)", {"direct-traversal"}},
                                            Place{"H(2^3) R(2^3)", {}}, Place{"R(2^3) G(3)", {}, "any"}));
 
 } // namespace

@@ -156,9 +156,9 @@ TEST_P(Queries, FindTheHitsOfKernelsThatAreAskedForAll) {
       }
     }
   };
-  for (const char *walk : {"stack", "restart", "unrolled"}) {
+  for (const char *traversal : {"stack", "restart", "unrolled"}) {
     for (Level &level : format.levels)
-      level.setAttribute(kWalkAttribute, walk);
+      level.setAttribute(kTraversalAttribute, traversal);
     format.setAttribute(kDetailAttribute, "cone");
     expectSame({.spread = 0.05f});
     format.setAttribute(kDetailAttribute, "full");

@@ -30,7 +30,7 @@ std::string after(std::string_view name, const std::string &text) {
 std::string gridAndTree(const std::string &fields, const std::string &ofTree = "") {
   return "plan \"R(2, 2, 2) G(2)\" " + fields +
          " { stratum 1: raw dense(2, 2, 2) cell=2 "
-         "stratum 2: svdag packed(1, 1, 1) depth=2 walk=stack " +
+         "stratum 2: svdag packed(1, 1, 1) depth=2 traversal=stack " +
          ofTree + " }";
 }
 
@@ -47,7 +47,7 @@ TEST(PlanPasses, ChooseComparisonByTheNumbersThereAre) {
               HasSubstr("compare=numbers"));
 }
 
-TEST(PlanPasses, ChooseSpeculationOfDirectExactWalks) {
+TEST(PlanPasses, ChooseSpeculationOfDirectExactTraversals) {
   EXPECT_THAT(after("choose-speculation", gridAndTree("levels=direct")), HasSubstr("speculative=yes"));
   EXPECT_THAT(after("choose-speculation", gridAndTree("levels=direct precision=fast")),
               Not(HasSubstr("speculative")));
@@ -55,10 +55,10 @@ TEST(PlanPasses, ChooseSpeculationOfDirectExactWalks) {
 }
 
 TEST(PlanPasses, ChooseGapFacesWhereLookUpsWait) {
-  EXPECT_THAT(after("choose-gap-faces", gridAndTree("levels=direct")), HasSubstr("gap-faces=lookup"));
-  EXPECT_THAT(after("choose-gap-faces", gridAndTree("levels=direct packing=packets")),
+  EXPECT_THAT(after("choose-span-faces", gridAndTree("levels=direct")), HasSubstr("span-faces=lookup"));
+  EXPECT_THAT(after("choose-span-faces", gridAndTree("levels=direct packing=packets")),
               Not(HasSubstr("faces")));
-  EXPECT_THAT(after("choose-gap-faces", gridAndTree("levels=nested")), Not(HasSubstr("faces")));
+  EXPECT_THAT(after("choose-span-faces", gridAndTree("levels=nested")), Not(HasSubstr("faces")));
 }
 
 TEST(PlanPasses, ChooseNarrowPacketsForSeveralLoops) {
@@ -77,7 +77,7 @@ TEST(PlanPasses, DeferValuesUnlessConesStopElsewhere) {
 }
 
 TEST(PlanPasses, DropValuesThatNobodyAsksFor) {
-  EXPECT_THAT(after("drop-values", gridAndTree("colour=no")), HasSubstr("walk=stack reads-values=no"));
+  EXPECT_THAT(after("drop-values", gridAndTree("colour=no")), HasSubstr("traversal=stack reads-values=no"));
   EXPECT_THAT(after("drop-values", gridAndTree("colour=no")), Not(HasSubstr("cell=2 reads-values")));
   EXPECT_THAT(after("drop-values", gridAndTree("")), Not(HasSubstr("reads-values")));
 }
@@ -90,14 +90,14 @@ TEST(PlanPasses, GuardLookUpsThatLoopOnDevicesThatCut) {
               Not(HasSubstr("lookup=cut")));
 }
 
-TEST(PlanPasses, ChooseVoxelStepsOfNestedWalksThroughVoxels) {
+TEST(PlanPasses, ChooseVoxelStepsOfNestedTraversalsThroughVoxels) {
   EXPECT_THAT(after("choose-voxel-steps", twoGrids("levels=nested")),
               AllOf(HasSubstr("dense(1, 1, 1) voxel-steps=yes"), Not(HasSubstr("cell=1 voxel-steps"))));
   EXPECT_THAT(after("choose-voxel-steps", twoGrids("levels=direct")), Not(HasSubstr("voxel-steps")));
 }
 
 TEST(PlanPasses, ChooseBricksBelowTrees) {
-  EXPECT_THAT(after("choose-bricks", gridAndTree("")), HasSubstr("walk=stack bricks=yes"));
+  EXPECT_THAT(after("choose-bricks", gridAndTree("")), HasSubstr("traversal=stack bricks=yes"));
   EXPECT_THAT(after("choose-bricks", twoGrids("")), Not(HasSubstr("bricks")));
 }
 
@@ -106,7 +106,7 @@ TEST(PlanPasses, ChooseToLookAheadInBricksOfNodesThatAreCompared) {
               HasSubstr("bricks=yes looks-ahead=yes"));
   EXPECT_THAT(after("choose-look-ahead", gridAndTree("")), Not(HasSubstr("looks-ahead")));
   EXPECT_THAT(after("choose-look-ahead", "plan \"S(2)\" { stratum 1: svo siblings(1, 1, 1) depth=2 "
-                                         "walk=stack bricks=yes }"),
+                                         "traversal=stack bricks=yes }"),
               Not(HasSubstr("looks-ahead")));
 }
 

@@ -105,21 +105,22 @@ TEST(PlanRules, AreEachHeld) {
        "dense slots, and what"},
       {"S(2)", [](Plan &p) { p.layout.strata[0].encoding = Leaves{}; },
        "level 1 has siblings slots, and what others have"},
-      {"G(2)", [](Plan &p) { p.traversals[0].descent = Descent::Index; }, "walked by index"},
-      {"H(2^3)", [](Plan &p) { p.traversals[0].descent = Descent::Single; }, "walked by index"},
+      {"G(2)", [](Plan &p) { p.traversals[0].descent = Descent::Index; }, "traversed by index"},
+      {"H(2^3)", [](Plan &p) { p.traversals[0].descent = Descent::Single; }, "traversed by index"},
       {"G(2)", [](Plan &p) { p.traversals[0].descent = Descent::Single; }, "more than a single cell"},
       {"G(2)", [](Plan &p) { p.traversals[0].stops = true; }, "detail=cone alone"},
       {"G(2)", [](Plan &p) { p.bounded = true, p.detail = Detail::Cone; }, "stops at voxels alone"},
-      {"G(2)", [](Plan &p) { p.traversals.clear(); }, "how it is walked"},
-      {"G(2)", [](Plan &p) { p.steps = Steps::Float64; }, "arithmetic=ieee"},
+      {"G(2)", [](Plan &p) { p.traversals.clear(); }, "how it is traversed"},
+      {"G(2)", [](Plan &p) { p.steps = StepArithmetic::Float64; }, "arithmetic=ieee"},
       {"G(2)", [](Plan &p) { p.stack = Stack::Shared, p.packing = Packing::Packets; },
        "no memory of a group"},
       {"G(2)", [](Plan &p) { p.query = Query::Any; }, "query=closest alone has"},
       {"G(2)", [](Plan &p) { p.outputs = {.voxel = false, .t = false, .colour = false}; }, "no output"},
-      {"G(2)", [](Plan &p) { p.query = Query::Occupancy, p.outputs = outputsOf(p.query); }, "without a walk"},
-      {"G(2)", [](Plan &p) { p.constructions.clear(); }, "walked and constructed"},
+      {"G(2)", [](Plan &p) { p.query = Query::Occupancy, p.outputs = outputsOf(p.query); },
+       "without a traversal"},
+      {"G(2)", [](Plan &p) { p.constructions.clear(); }, "traversed and constructed"},
       {"G(2)", [](Plan &p) { p.speculative = true; }, "levels=direct and precision=exact"},
-      {"G(2)", [](Plan &p) { p.gapFaces = GapFaces::Lookup; }, "with levels=direct alone"},
+      {"G(2)", [](Plan &p) { p.spanFaces = SpanFaces::Lookup; }, "with levels=direct alone"},
       {"G(2)", [](Plan &p) { p.packetWidth = PacketWidth::Narrow; }, "packing=packets alone"},
       {"G(2)", [](Plan &p) { p.traversals[0].lookUp = Loops::Cut; }, "where they loop"},
       {"G(2)", [](Plan &p) { p.traversals[0].readsValues = false; }, "nobody asks"},
@@ -137,11 +138,12 @@ TEST(PlanRules, AreEachHeld) {
 
 TEST(PlanRules, SayWhatAFinishedPlanHas) {
   const BrokenRule rules[] = {
-      {"G(2)", [](Plan &p) { p.walk = Walk::Auto; }, "not chosen yet"},
+      {"G(2)", [](Plan &p) { p.levelTraversal = LevelTraversal::Auto; }, "not chosen yet"},
       {"G(2)", [](Plan &p) { p.addressing = Addressing::Paged; }, "levels=direct alone"},
-      {"G(2)", [](Plan &p) { p.steps = Steps::Float64, p.arithmetic = Arithmetic::Ieee; }, "compare=numbers"},
+      {"G(2)", [](Plan &p) { p.steps = StepArithmetic::Float64, p.arithmetic = Arithmetic::Ieee; },
+       "compare=numbers"},
       {"G(2)", [](Plan &p) { p.detail = Detail::Cone; }, "defers-values=no"},
-      {"G(0)", [](Plan &p) { p.traversals[0].descent = Descent::Stack; }, "walk=single"},
+      {"G(0)", [](Plan &p) { p.traversals[0].descent = Descent::Stack; }, "traversal=single"},
       {"H(2^3)", [](Plan &p) { p.traversals[0].lookUp = Loops::Whole; }, "lookup=cut"},
       {"G(2)", [](Plan &p) { p.detail = Detail::Cone, p.defersValues = false, p.traversals[0].stops = true; },
        "searched there"},
@@ -171,38 +173,38 @@ TEST(Plans, StepInDoublesWhereThatIsBest) {
     return makePlan(parsed, options)->steps;
   };
   const PlanOptions ieee = {.arithmetic = Arithmetic::Ieee};
-  EXPECT_EQ(stepsOf("R(8^3) G(3)", ieee), Steps::Float64);
-  EXPECT_EQ(stepsOf("R(7^3) G(3)", ieee), Steps::Float32) << "a short way";
-  EXPECT_EQ(stepsOf("R(8^3) G(3)", {}), Steps::Float32) << "no doubles";
-  EXPECT_EQ(stepsOf("R(8^3) G(3)", kCpuPlan), Steps::Refined) << "packets branch";
-  EXPECT_EQ(stepsOf("R(8^3) G(3)", ieee, "fast"), Steps::Float32) << "fast";
+  EXPECT_EQ(stepsOf("R(8^3) G(3)", ieee), StepArithmetic::Float64);
+  EXPECT_EQ(stepsOf("R(7^3) G(3)", ieee), StepArithmetic::Float32) << "a short way";
+  EXPECT_EQ(stepsOf("R(8^3) G(3)", {}), StepArithmetic::Float32) << "no doubles";
+  EXPECT_EQ(stepsOf("R(8^3) G(3)", kCpuPlan), StepArithmetic::Refined) << "packets branch";
+  EXPECT_EQ(stepsOf("R(8^3) G(3)", ieee, "fast"), StepArithmetic::Float32) << "fast";
 }
 
 TEST(Plans, GoDirectlyThroughTreesOfGrids) {
-  const auto walkOf = [](const char *format) { return makePlan(*parseFormat(format))->walk; };
-  EXPECT_EQ(walkOf("R(1^3) M(2^3) M(2^3)"), Walk::Direct);
-  EXPECT_EQ(walkOf("M(2^3) M(2^3)"), Walk::Nested) << "but two levels";
-  EXPECT_EQ(walkOf("R(1^3) M(2^3) M(1^3)"), Walk::Nested) << "no groups in the last";
+  const auto traversalOf = [](const char *format) { return makePlan(*parseFormat(format))->levelTraversal; };
+  EXPECT_EQ(traversalOf("R(1^3) M(2^3) M(2^3)"), LevelTraversal::Direct);
+  EXPECT_EQ(traversalOf("M(2^3) M(2^3)"), LevelTraversal::Nested) << "but two levels";
+  EXPECT_EQ(traversalOf("R(1^3) M(2^3) M(1^3)"), LevelTraversal::Nested) << "no groups in the last";
 }
 
-TEST(Plans, LeaveAWalkThatIsAskedFor) {
-  const auto walkOf = [](const char *levels, const char *detail = "full") {
+TEST(Plans, LeaveATraversalThatIsAskedFor) {
+  const auto traversalOf = [](const char *levels, const char *detail = "full") {
     Format format = *parseFormat("D(3^3, 15) M(2^3)");
     format.setAttribute(kLevelsAttribute, levels);
     format.setAttribute(kDetailAttribute, detail);
-    return makePlan(format)->walk;
+    return makePlan(format)->levelTraversal;
   };
-  EXPECT_EQ(walkOf("nested"), Walk::Nested);
-  EXPECT_EQ(walkOf("flat"), Walk::Flat);
-  EXPECT_EQ(walkOf("flat", "cone"), Walk::Nested) << "one loop stops at voxels alone";
+  EXPECT_EQ(traversalOf("nested"), LevelTraversal::Nested);
+  EXPECT_EQ(traversalOf("flat"), LevelTraversal::Flat);
+  EXPECT_EQ(traversalOf("flat", "cone"), LevelTraversal::Nested) << "one loop stops at voxels alone";
 }
 
-TEST(Plans, LookPointsUpWithoutAWalk) {
+TEST(Plans, LookPointsUpWithoutATraversal) {
   const Format format =
       *parseFormat("format precision=fast detail=cone levels=flat query=occupancy { level 1: svdag(2) }");
   const Plan plan = *makePlan(format, kCpuPlan);
-  EXPECT_EQ(plan.walk, Walk::Auto);
-  EXPECT_EQ(plan.steps, Steps::Float32);
+  EXPECT_EQ(plan.levelTraversal, LevelTraversal::Auto);
+  EXPECT_EQ(plan.steps, StepArithmetic::Float32);
   EXPECT_EQ(plan.detail, Detail::Full);
   EXPECT_EQ(plan.outputs, outputsOf(Query::Occupancy));
 }

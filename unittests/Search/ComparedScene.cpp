@@ -49,14 +49,15 @@ ComparedScene::ComparedScene(std::string name, VoxelSource &source)
              .pointerBits = std::clamp(static_cast<int>(std::bit_width(grids)), 8, 24)};
 }
 
-Pricer &ComparedScene::pricer(int log2Side, bool byColours) {
+SizeModel &ComparedScene::sizeModel(int log2Side, bool byColours) {
   Graphs &graphs = graphs_[log2Side];
   if (!graphs.colours) {
     graphs.colours = read(*grid_, log2Side, nullptr);
     graphs.shape = std::make_unique<SceneDag>(graphs.colours->shape());
-    graphs.pricers = {std::make_unique<Pricer>(*graphs.shape), std::make_unique<Pricer>(*graphs.colours)};
+    graphs.sizeModels = {std::make_unique<SizeModel>(*graphs.shape),
+                         std::make_unique<SizeModel>(*graphs.colours)};
   }
-  return *graphs.pricers[byColours ? 1 : 0];
+  return *graphs.sizeModels[byColours ? 1 : 0];
 }
 
 std::optional<Price> ComparedScene::price(const Format &format) {
@@ -67,8 +68,8 @@ std::optional<Price> ComparedScene::price(const Format &format) {
   const bool isApart = layout.values == Values::Apart, varies = kindOf(layout.payload).varies;
   if (isApart && varies && (layout.payload == Payload::Palette) != (values_.paletteBits > 0))
     return std::nullopt;
-  auto price =
-      pricer(longest(format.log2Extent()), varies && !isApart).price(layout, varies ? values_.words : 0);
+  auto price = sizeModel(maxComponent(format.log2Extent()), varies && !isApart)
+                   .price(layout, varies ? values_.words : 0);
   EXPECT_TRUE(price) << name_ << ": " << price.error().message << "\n" << printIr(format);
   return price && price->words() <= kMostComparedWords ? std::optional(*price) : std::nullopt;
 }

@@ -3,8 +3,8 @@
 
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Search/Candidate.h"
-#include "voxc/Search/Pricer.h"
 #include "voxc/Search/SceneValues.h"
+#include "voxc/Search/SizeModel.h"
 #include "voxc/Source/VoxelSource.h"
 
 #include <array>
@@ -29,7 +29,7 @@ public:
   /// nothing.
   bool claimsExactness(const Format &format);
 
-  /// Expects that as many words are built as are foretold; about as many, where no more is claimed. Returns
+  /// Expects that as many words are built as are predicted; about as many, where no more is claimed. Returns
   /// true if they were compared exactly. They are not compared where the scene is larger than the format, its
   /// values are not counted for the format's payload, or there are too many words.
   bool compare(const Format &format, const Constructor &constructor);
@@ -38,12 +38,12 @@ private:
   /// Of one side, which is that of a format.
   struct Graphs {
     std::unique_ptr<SceneDag> colours, shape;
-    std::array<std::unique_ptr<Pricer>, 2> pricers; ///< By shape, and by colours.
+    std::array<std::unique_ptr<SizeModel>, 2> sizeModels; ///< By shape, and by colours.
   };
 
   /// None where nothing is to be compared.
   std::optional<Price> price(const Format &format);
-  Pricer &pricer(int log2Side, bool byColours);
+  SizeModel &sizeModel(int log2Side, bool byColours);
 
   std::string name_;
   std::unique_ptr<VoxelSource> grid_;

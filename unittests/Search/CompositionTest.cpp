@@ -34,7 +34,7 @@ TEST(Composition, RewritesKeepTheSide) {
   for (const Composition &to : all) {
     const auto format = parseFormat(toString(to));
     ASSERT_TRUE(format) << toString(to);
-    EXPECT_EQ(longest(format->log2Extent()), 9) << toString(to);
+    EXPECT_EQ(maxComponent(format->log2Extent()), 9) << toString(to);
     EXPECT_LE(to.levels.size(), 3u) << toString(to);
     EXPECT_NE(to, from);
   }
@@ -50,8 +50,8 @@ TEST(Composition, EachKindOfRewriteIsThere) {
     EXPECT_TRUE(texts.contains(text)) << text;
   for (const SmallGrids grids : {SmallGrids::Numbered, SmallGrids::ByOctants})
     EXPECT_TRUE(std::ranges::any_of(all, [&](const Composition &to) { return to.choices.grids == grids; }));
-  EXPECT_TRUE(
-      std::ranges::any_of(all, [](const Composition &to) { return to.choices.walk == "direct-walk"; }));
+  EXPECT_TRUE(std::ranges::any_of(
+      all, [](const Composition &to) { return to.choices.traversal == "direct-traversal"; }));
 }
 
 /// All of the space is within reach of any of it.
@@ -85,9 +85,9 @@ TEST(Composition, DifferencesAreCountedByHeight) {
   EXPECT_EQ(differences(from, from), 0);
   EXPECT_EQ(differences(from, compositionOf("D(4^3, 15) G(5)")), 4);
   EXPECT_EQ(differences(from, compositionOf("R(2^3) R(2^3) G(5)")), 1);
-  Composition walked = from;
-  walked.choices.walk = searchedWalks()[1];
-  EXPECT_GT(differences(from, walked), 1);
+  Composition traversed = from;
+  traversed.choices.traversal = searchedTraversals()[1];
+  EXPECT_GT(differences(from, traversed), 1);
 }
 
 } // namespace

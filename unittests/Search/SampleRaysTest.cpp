@@ -1,7 +1,7 @@
-// Rays that are replayed: packets of those that were given, in the order in which a tracer takes them.
+// Rays that are simulated: packets of those that were given, in the order in which a tracer takes them.
 #include "voxc/Search/SampleRays.h"
 #include "voxc/Plan/Plan.h"
-#include "voxc/Search/Replay.h"
+#include "voxc/Search/RayCostModel.h"
 #include "voxc/Source/Sources.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ std::vector<Ray> scatteredRays(std::size_t count) {
 double changesOf(const std::vector<Ray> &rays) {
   int changes = 0;
   for (std::size_t i = 0; i < rays.size(); ++i)
-    for (int axis = 0; i % kReplayPacket != 0 && axis < 3; ++axis)
+    for (int axis = 0; i % kSimulatedPacket != 0 && axis < 3; ++axis)
       changes += std::signbit(rays[i].direction[axis]) != std::signbit(rays[i - 1].direction[axis]);
   return changes / static_cast<double>(rays.size());
 }
@@ -41,7 +41,7 @@ TEST(SampleRays, ScatteredRaysAreBinnedAsATracerBinsThem) {
   EXPECT_EQ(binned.rays.size(), 1000u);
   EXPECT_LT(changesOf(binned.rays), 0.05);
   const auto order = binnedOrder(RaySpan(rays), 64, 1);
-  for (std::size_t i = 0; i < kReplayPacket; ++i)
+  for (std::size_t i = 0; i < kSimulatedPacket; ++i)
     EXPECT_EQ(std::memcmp(&binned.rays[i], &rays[order[i]], sizeof(Ray)), 0);
 }
 
@@ -51,8 +51,8 @@ TEST(SampleRays, AsGivenIsAsGiven) {
   EXPECT_FALSE(given.isBinned);
   EXPECT_GT(changesOf(given.rays), 1);
   // From all over the rays, packet by packet.
-  for (std::size_t i = 0; i < kReplayPacket; ++i)
-    EXPECT_EQ(std::memcmp(&given.rays[given.rays.size() - kReplayPacket + i],
+  for (std::size_t i = 0; i < kSimulatedPacket; ++i)
+    EXPECT_EQ(std::memcmp(&given.rays[given.rays.size() - kSimulatedPacket + i],
                           &rays[(1 << 16) / 125 * 124 + i], sizeof(Ray)),
               0);
 }
@@ -63,7 +63,7 @@ TEST(SampleRays, FewRaysAreNotBinned) {
 
 /// Turns of a ray in an octree of the scene, on average.
 double turnsOf(const SceneDag &dag, const std::vector<Ray> &rays) {
-  return replay(dag, rays, *makePlan(*parseFormat("S(6)"), kCpuPlan)).turns;
+  return modelRayCost(dag, rays, *makePlan(*parseFormat("S(6)"), kCpuPlan)).turns;
 }
 
 TEST(SampleRays, TypicalPacketsTellWhatAllCost) {

@@ -16,7 +16,7 @@ TEST(Candidates, AllHaveTheSizeAndDiffer) {
     std::set<std::string> texts;
     const auto candidates = candidatesFor(side, {});
     for (const Candidate &candidate : candidates) {
-      EXPECT_EQ(longest(candidate.format.log2Extent()), side) << candidate.text;
+      EXPECT_EQ(maxComponent(candidate.format.log2Extent()), side) << candidate.text;
       EXPECT_TRUE(texts.insert(printIr(candidate.format)).second) << printIr(candidate.format);
     }
     EXPECT_GE(candidates.size(), 2u) << side;
@@ -54,8 +54,9 @@ protected:
     rays_ = {{"camera", rays}, {"bounced", sampleBounces(dag_, rays, rays.size(), 1)}};
   }
 
-  std::vector<RatedFormat> rate(const Wish &wish) const {
-    return *rateFormats({dag_}, candidatesFor(6, {.visible = true}), rays_, defaultSpeedModel("cpu"), wish);
+  std::vector<PredictedFormat> predict(const Wish &wish) const {
+    return *predictFormats({dag_}, candidatesFor(6, {.visible = true}), rays_, defaultSpeedModel("cpu"),
+                           wish);
   }
 
   SceneDag dag_;
@@ -70,10 +71,10 @@ TEST_F(SuggestTest, BouncesBeginWhereRaysHit) {
 }
 
 TEST_F(SuggestTest, TheFrontierIsWhatNothingBeats) {
-  const auto rated = rate({});
+  const auto rated = predict({});
   const auto frontier = frontierOf(rated);
   for (std::size_t i = 0; i < rated.size(); ++i) {
-    const bool beaten = std::ranges::any_of(rated, [&](const RatedFormat &other) {
+    const bool beaten = std::ranges::any_of(rated, [&](const PredictedFormat &other) {
       return other.bytes() <= rated[i].bytes() && other.time() < rated[i].time();
     });
     EXPECT_FALSE(frontier[i] && beaten) << rated[i].candidate.text;
@@ -82,16 +83,16 @@ TEST_F(SuggestTest, TheFrontierIsWhatNothingBeats) {
 }
 
 TEST_F(SuggestTest, WishesAreKept) {
-  const auto rated = rate({});
+  const auto rated = predict({});
   const auto smallest = *choose(rated, {.objective = Wish::Objective::Smallest});
   const auto fastest = *choose(rated, {.objective = Wish::Objective::Fastest});
   const auto balanced = *choose(rated, {});
-  for (const RatedFormat &format : rated) {
+  for (const PredictedFormat &format : rated) {
     EXPECT_LE(rated[smallest].bytes(), format.bytes());
     EXPECT_LE(rated[fastest].time(), format.time() * 1.001);
   }
   EXPECT_TRUE(frontierOf(rated)[balanced]);
-  for (const RatedFormat &format : rate({.maxBytes = 4096}))
+  for (const PredictedFormat &format : predict({.maxBytes = 4096}))
     EXPECT_LE(format.bytes(), 4096u);
   EXPECT_FALSE(choose({}, {}));
 }
@@ -101,22 +102,23 @@ TEST_F(SuggestTest, GridsByOctantsAreSmallerAndTakeLonger) {
   for (const SmallGrids grids : {SmallGrids::Numbered, SmallGrids::ByOctants})
     candidates.push_back(
         *makeCandidate("M(2^3) M(2^3) M(2^3)", {.oneColour = true, .pointerBits = 12}, {.grids = grids}));
-  const auto rated = *rateFormats({dag_}, std::move(candidates), rays_, defaultSpeedModel("cpu"), {});
+  const auto rated = *predictFormats({dag_}, std::move(candidates), rays_, defaultSpeedModel("cpu"), {});
   ASSERT_EQ(rated.size(), 2u);
   EXPECT_LT(rated[1].bytes(), rated[0].bytes());
   EXPECT_GT(rated[1].time(), 1.1 * rated[0].time());
 }
 
 TEST_F(SuggestTest, ColoursInPlaceNeedTheirGraph) {
-  const auto in = [](const std::vector<RatedFormat> &rated, const char *text) {
-    return std::ranges::find(rated, text, [](const RatedFormat &format) { return format.candidate.text; }) !=
-           rated.end();
+  const auto in = [](const std::vector<PredictedFormat> &rated, const char *text) {
+    return std::ranges::find(rated, text, [](const PredictedFormat &format) {
+             return format.candidate.text;
+           }) != rated.end();
   };
-  EXPECT_FALSE(in(rate({}), "S(6)"));
+  EXPECT_FALSE(in(predict({}), "S(6)"));
   const SceneDag colours =
       *SceneDag::build(**makeBuiltinSource("terrain", 64), {.detail = SceneDag::Detail::Colours});
   const auto rated =
-      *rateFormats({dag_, &colours}, candidatesFor(6, {}), rays_, defaultSpeedModel("cpu"), {});
+      *predictFormats({dag_, &colours}, candidatesFor(6, {}), rays_, defaultSpeedModel("cpu"), {});
   EXPECT_TRUE(in(rated, "S(6)"));
 }
 

@@ -24,7 +24,7 @@ protected:
   }
   void TearDown() override { fs::remove_all(folder_); }
 
-  CompileCache open(std::uint64_t mostBytes = CompileCache::kUsualBytes) {
+  CompileCache open(std::uint64_t mostBytes = CompileCache::kDefaultBytes) {
     Expected<CompileCache> cache = CompileCache::open(folder_.string(), mostBytes);
     EXPECT_TRUE(cache);
     return std::move(*cache);

@@ -2,7 +2,7 @@
 #include "testing/HardRays.h"
 
 #include "Oracle/ExactRay.h"
-#include "Oracle/ExactWalk.h"
+#include "Oracle/ExactTraversal.h"
 
 #include <gtest/gtest.h>
 

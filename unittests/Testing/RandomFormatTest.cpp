@@ -12,8 +12,8 @@
 namespace voxc::test {
 namespace {
 
-/// How many of so many random formats with trees have each walk.
-std::map<std::string_view, int> countWalks(int formats) {
+/// How many of so many random formats with trees have each traversal.
+std::map<std::string_view, int> countTraversals(int formats) {
   std::map<std::string_view, int> counts;
   std::mt19937 random(1);
   for (int found = 0; found < formats;) {
@@ -23,21 +23,21 @@ std::map<std::string_view, int> countWalks(int formats) {
     if (tree == format.levels.end())
       continue;
     const std::string_view levels = format.attributes.value(kLevelsAttribute);
-    ++counts[levels != "auto" ? levels : tree->attribute(kWalkAttribute)];
+    ++counts[levels != "auto" ? levels : tree->attribute(kTraversalAttribute)];
     ++found;
   }
   return counts;
 }
 
-TEST(RandomFormats, HaveEveryWalkEquallyOften) {
+TEST(RandomFormats, HaveEveryTraversalEquallyOften) {
   constexpr int kFormats = 3000;
-  const auto counts = countWalks(kFormats);
+  const auto counts = countTraversals(kFormats);
   // That of a tree counts where `levels` is `auto`.
-  const std::size_t walks = kWalkAttribute.values.size() + kLevelsAttribute.values.size() - 1;
-  ASSERT_EQ(counts.size(), walks);
-  const int share = kFormats / static_cast<int>(walks);
-  for (const auto &[walk, count] : counts)
-    EXPECT_NEAR(count, share, share / 10) << walk;
+  const std::size_t traversals = kTraversalAttribute.values.size() + kLevelsAttribute.values.size() - 1;
+  ASSERT_EQ(counts.size(), traversals);
+  const int share = kFormats / static_cast<int>(traversals);
+  for (const auto &[traversal, count] : counts)
+    EXPECT_NEAR(count, share, share / 10) << traversal;
 }
 
 TEST(RandomFormats, HaveSharedStacksHalfOfTheTime) {

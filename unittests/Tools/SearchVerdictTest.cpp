@@ -93,18 +93,18 @@ TEST(SearchVerdict, CountsOtherPassesAsOtherFormatsAndNamesThem) {
   EXPECT_EQ(verdict.answer("fastest").name, "R(4^3) G(7)");
 }
 
-/// The worst of the best: neither the median, nor what beaten formats were foretold.
+/// The worst of the best: neither the median, nor what beaten formats were predicted.
 TEST(SearchVerdict, StatesTheErrorOfTheFrontier) {
   Cells cells;
   add(cells, "G(11)", 10 * kKibi, 4, 4);
   add(cells, "S(11)", 20 * kKibi, 5, 5);
   add(cells, "R(9^3)", 40 * kKibi, 1, 1);
   EXPECT_EQ(verdictOf(cells).worstFactor(), 0);
-  const double foretold[] = {4, 4, 2.5, 2.5, 9, 9};
+  const double predicted[] = {4, 4, 2.5, 2.5, 9, 9};
   for (std::size_t i = 0; i < cells.size(); ++i)
-    cells[i].predicted = PredictedPart{{}, foretold[i], {}, {}};
+    cells[i].predicted = PredictedPart{{}, predicted[i], {}, {}};
   const SearchVerdict verdict = verdictOf(cells);
-  EXPECT_DOUBLE_EQ(verdict.frontier[1].foretoldRatio, 0.5);
+  EXPECT_DOUBLE_EQ(verdict.frontier[1].predictedRatio, 0.5);
   EXPECT_DOUBLE_EQ(verdict.worstFactor(), 2);
 }
 

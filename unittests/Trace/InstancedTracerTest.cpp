@@ -284,7 +284,7 @@ TEST(OpenTracer, DirectionsMayBeHuge) {
   }
 }
 
-TEST(OpenTracer, TakesAnotherWalkButNoOtherStorage) {
+TEST(OpenTracer, TakesAnotherTraversalButNoOtherStorage) {
   const Volume volume = makeVolume("R(1,1,1) G(3)", 7);
   EXPECT_TRUE(openTracer(
       volume, {.device = "cpu",

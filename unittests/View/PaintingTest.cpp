@@ -1,9 +1,9 @@
 // Pictures of a scene in the steps of their refinement, and what a click tells.
 #include "Hill.h"
 
+#include "view/OracleCheck.h"
 #include "view/Painting.h"
 #include "view/SlicedTracer.h"
-#include "view/Witness.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -73,9 +73,9 @@ TEST(Paint, EndsWhenItIsToldTo) {
   EXPECT_EQ(picture.error().kind, ErrorKind::Interrupted);
 }
 
-TEST(Touch, TellsTheVoxelOfThePixel) {
+TEST(Pick, TellsTheVoxelOfThePixel) {
   const Shot shot = shotOf(makeHill());
-  const Expected<Touch> middle = touch(shot, 32, 30);
+  const Expected<Pick> middle = pick(shot, 32, 30);
   ASSERT_TRUE(middle);
   ASSERT_TRUE(middle->hit.isHit());
   const std::string text = describe(middle->hit);
@@ -83,32 +83,32 @@ TEST(Touch, TellsTheVoxelOfThePixel) {
   EXPECT_THAT(text,
               ::testing::StartsWith("voxel " + std::to_string(voxel[0]) + "," + std::to_string(voxel[1]) +
                                     "," + std::to_string(voxel[2]) + ", colour #"));
-  EXPECT_EQ(describe(touch(shot, 0, 0)->hit), "no voxel");
+  EXPECT_EQ(describe(pick(shot, 0, 0)->hit), "no voxel");
 }
 
-Testimony testify(const Touch &touched) {
+CheckedHit check(const Pick &picked) {
   std::atomic<bool> isThere = false;
-  Witness witness([&] { isThere = true; });
-  witness.ask(touched);
+  OracleCheck oracleCheck([&] { isThere = true; });
+  oracleCheck.ask(picked);
   while (!isThere)
     std::this_thread::yield();
-  return **witness.take();
+  return **oracleCheck.take();
 }
 
-TEST(Witness, AgreesWithTheExactHit) {
+TEST(OracleCheck, AgreesWithTheExactHit) {
   const Shot shot = shotOf(makeHill());
-  EXPECT_THAT(describe(testify(*touch(shot, 32, 30))),
+  EXPECT_THAT(describe(check(*pick(shot, 32, 30))),
               ::testing::ContainsRegex(
                   "; the oracle agrees: entered by the face [-+][xyz], the last of [0-9]+ cell"));
-  EXPECT_THAT(describe(testify(*touch(shot, 0, 0))),
+  EXPECT_THAT(describe(check(*pick(shot, 0, 0))),
               ::testing::MatchesRegex("no voxel; the oracle agrees, after [0-9]+ cells"));
 }
 
-TEST(Witness, SaysWhatIsRightWhereTheKernelIsNot) {
-  Touch wrong = *touch(shotOf(makeHill()), 32, 30);
+TEST(OracleCheck, SaysWhatIsRightWhereTheKernelIsNot) {
+  Pick wrong = *pick(shotOf(makeHill()), 32, 30);
   const std::string right = describe(wrong.hit);
   wrong.hit.t *= 2;
-  EXPECT_THAT(describe(testify(wrong)), ::testing::HasSubstr("; the oracle says: " + right + ": entered by"));
+  EXPECT_THAT(describe(check(wrong)), ::testing::HasSubstr("; the oracle says: " + right + ": entered by"));
 }
 
 /// Counts the rays of each call.

@@ -140,7 +140,7 @@ TEST(FormatText, PartsPassesFromTheFormat) {
 }
 
 TEST(FormatText, IsTheSameForWhatMeansTheSame) {
-  EXPECT_EQ(spelledText("R(4^3)  G(5) --flat-walk"), spelledText("R(4, 4, 4) G(5)   --flat-walk"));
+  EXPECT_EQ(spelledText("R(4^3)  G(5) --flat-traversal"), spelledText("R(4, 4, 4) G(5)   --flat-traversal"));
   EXPECT_EQ(spelledText("no format"), "no format");
 }
 

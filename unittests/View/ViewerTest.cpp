@@ -201,7 +201,7 @@ TEST_F(ViewerTest, AClickTellsAndCanBeOrbited) {
   finest();
   viewer_->click(32, 30);
   EXPECT_THAT(wait("picked"), StartsWith("picked voxel "));
-  EXPECT_THAT(viewer_->state().touched, HasSubstr("the oracle agrees"));
+  EXPECT_THAT(viewer_->state().picked, HasSubstr("the oracle agrees"));
   viewer_->press(Action::Orbit);
   viewer_->click(32, 24);
   // What is looked at is in the middle now, or behind what is nearer.

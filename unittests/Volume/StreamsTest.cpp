@@ -108,8 +108,8 @@ TEST_F(Streams, AreWrittenWhileWordsAreMadeAsTheyAreSaved) {
   ASSERT_TRUE(block && memory->extendInMemory(*block, 3 * kPage));
   std::ranges::copy(streams[0].bytes, block->data());
   auto writer = VolumeFileWriter::create(path_, smallInfo(), streams.size());
-  ASSERT_TRUE(writer && writer->canSettle());
-  ASSERT_TRUE(writer->settle(*block, kPage, kPage, *memory));
+  ASSERT_TRUE(writer && writer->canFlush());
+  ASSERT_TRUE(writer->flush(*block, kPage, kPage, *memory));
   streams[0].bytes = {block->data(), streams[0].bytes.size()};
   ASSERT_TRUE(writer->finish(smallInfo(), streams, {kPage, 2 * kPage}, *memory));
   EXPECT_EQ(*readTextFile(path_), expected);

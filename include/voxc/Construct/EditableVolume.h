@@ -41,8 +41,8 @@ public:
   EditableVolume(EditableVolume &&) noexcept;
   EditableVolume &operator=(EditableVolume &&) noexcept;
 
-  /// Does one edit as a whole; voxels outside of the extent stay empty. Errors, after which all is as it was:
-  /// a word that the format cannot keep, more words than references can reach (`Input`); no memory.
+  /// Does one edit as a whole; voxels outside of the extent stay empty. Errors, after which nothing has
+  /// changed: a word that the format cannot keep, more words than references can reach (`Input`); no memory.
   Expected<EditReport> apply(VoxelChange &change);
 
   /// A state to come back to. It holds as long as the volume was not compacted.

@@ -76,7 +76,7 @@ std::string emitCHeader(const Plan &plan, std::string_view name);
 std::string emitCDefinitions(const Plan &plan, std::string_view name);
 
 /// Functions of GLSL, of as much of it as kernels are written in, as those of another language. `declared`
-/// stands before them: it tells in GLSL what text around them has, and is not printed. Error: where they are
+/// stands before them: it says in GLSL what text around them has, and is not printed. Error: where they are
 /// no such functions.
 Expected<std::string> emitFunctions(std::string_view functions, std::string_view declared,
                                     HeaderLanguage language);

@@ -102,7 +102,7 @@ struct Facts {
 
 /// What bounds the memory of measuring.
 struct FactsOptions {
-  /// Different words that are counted one by one, at most; beyond, `ColourFacts` tells what becomes of them.
+  /// Different words that are counted one by one, at most; beyond, `ColourFacts` says what becomes of them.
   /// 64 bytes each.
   std::size_t mostWords = std::size_t{1} << 20;
   /// Different blocks that are kept of each kind and height, at most; beyond, they are estimated. There are

@@ -10,7 +10,7 @@
 namespace voxc {
 
 /// Whether an attribute changes the volume's words, and is kept with them, or the kernel alone.
-enum class AttributeEffect { Storage, Walk };
+enum class AttributeEffect { Storage, Traversal };
 
 /// Attributes that are chosen together, by one option that lists those which shall be `yes`.
 struct AttributeList {
@@ -60,7 +60,7 @@ template <typename T> struct TypedAttribute : AttributeKind {
 };
 
 enum class Alpha;
-enum class Counts;
+enum class VoxelCountsOf;
 enum class Descent;
 enum class Detail;
 enum class DistancePlace;
@@ -71,32 +71,32 @@ enum class Query;
 enum class Sharing;
 enum class Stack;
 enum class Values;
-enum class Walk;
+enum class LevelTraversal;
 
 // Attributes of levels, whichever kinds take them.
 extern const TypedAttribute<Sharing> kDedupAttribute;           ///< dedup: sub-volume | level
 extern const TypedAttribute<Sharing> kShareAttribute;           ///< share: none | level
-extern const TypedAttribute<Descent> kWalkAttribute;            ///< walk: stack | restart | unrolled
+extern const TypedAttribute<Descent> kTraversalAttribute;       ///< traversal: stack | restart | unrolled
 extern const TypedAttribute<bool> kMirrorAttribute;             ///< mirror: no | yes
 extern const TypedAttribute<LeafPlace> kLeavesAttribute;        ///< leaves: apart | in-slot
 extern const TypedAttribute<DistancePlace> kDistancesAttribute; ///< distances: beside | in-slot
 extern const TypedAttribute<Metric> kMetricAttribute;           ///< metric: l1 | octant
 extern const TypedAttribute<int> kPointersAttribute;            ///< pointers: word (0) | 8 | 9 | ... | 24
-extern const TypedAttribute<Counts> kCountsAttribute;           ///< counts: each | octant
+extern const TypedAttribute<VoxelCountsOf> kCountsAttribute;    ///< counts: each | octant
 extern const TypedAttribute<bool> kMasksAttribute;              ///< masks: whole (no) | octants (yes)
 
 // Attributes of formats.
-extern const TypedAttribute<Precision> kPrecisionAttribute; ///< precision: exact | fast
-extern const TypedAttribute<Detail> kDetailAttribute;       ///< detail: full | cone
-extern const TypedAttribute<Walk> kLevelsAttribute;         ///< levels: auto | nested | flat | direct
-extern const TypedAttribute<Stack> kStackAttribute;         ///< stack: private | shared
-extern const TypedAttribute<Query> kQueryAttribute;         ///< query: closest | any | occupancy | distance
-extern const TypedAttribute<bool> kBoundsAttribute;         ///< bounds: no | yes
-extern const TypedAttribute<bool> kVoxelAttribute;          ///< voxel: yes | no
-extern const TypedAttribute<bool> kTAttribute;              ///< t: yes | no
-extern const TypedAttribute<bool> kFaceAttribute;           ///< face: no | yes
-extern const TypedAttribute<bool> kColourAttribute;         ///< colour: yes | no
-extern const TypedAttribute<bool> kIndexAttribute;          ///< index: no | yes
+extern const TypedAttribute<Precision> kPrecisionAttribute;   ///< precision: exact | fast
+extern const TypedAttribute<Detail> kDetailAttribute;         ///< detail: full | cone
+extern const TypedAttribute<LevelTraversal> kLevelsAttribute; ///< levels: auto | nested | flat | direct
+extern const TypedAttribute<Stack> kStackAttribute;           ///< stack: private | shared
+extern const TypedAttribute<Query> kQueryAttribute;           ///< query: closest | any | occupancy | distance
+extern const TypedAttribute<bool> kBoundsAttribute;           ///< bounds: no | yes
+extern const TypedAttribute<bool> kVoxelAttribute;            ///< voxel: yes | no
+extern const TypedAttribute<bool> kTAttribute;                ///< t: yes | no
+extern const TypedAttribute<bool> kFaceAttribute;             ///< face: no | yes
+extern const TypedAttribute<bool> kColourAttribute;           ///< colour: yes | no
+extern const TypedAttribute<bool> kIndexAttribute;            ///< index: no | yes
 /// payload: rgba8 | occupancy | constant | palette(n) | rgb565 | material(n), which a layout reads.
 extern const AttributeKind kPayloadAttribute;
 extern const TypedAttribute<Alpha> kAlphaAttribute;   ///< alpha: any | positive
@@ -119,7 +119,7 @@ public:
   /// is where `taken` has no such kind, or the kind no such value.
   bool set(AttributeKinds taken, const AttributeKind &kind, std::string_view value);
   /// Removes what concerns the kernel alone.
-  void eraseWalk();
+  void eraseTraversal();
 
   bool operator==(const AttributeSet &) const = default;
 

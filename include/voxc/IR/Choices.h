@@ -9,14 +9,15 @@
 namespace voxc {
 
 /// How a kernel goes from level to level.
-enum class Walk {
-  Auto,   ///< Not chosen yet: the pass choose-walk does.
+enum class LevelTraversal {
+  Auto,   ///< Not chosen yet: the pass choose-traversal does.
   Nested, ///< A loop for each level, which calls that of the next.
   Flat,   ///< One loop through the nodes of all levels: a kernel of one step, however many levels there are.
   Direct, ///< One loop whose every turn goes down from the root through all levels, without a loop in it.
 };
 
-/// How the walk of a stratum finds the cell around a point. Each value is a file of shaders-runtime/walk.
+/// How the traversal of a stratum finds the cell around a point. Each value is a file of
+/// shaders-runtime/traversal.
 enum class Descent {
   Index,    ///< In the one node of a grid, by the cell's number.
   Single,   ///< The sub-volume is one cell.
@@ -32,14 +33,14 @@ enum class Precision {
   Fast,  ///< Plain float32: wrong only by rounding at a boundary.
 };
 
-/// Where a walk may stop.
+/// Where a traversal may stop.
 enum class Detail {
   Full, ///< At voxels.
   Cone, ///< Also at a node or a cell that looks smaller than a cone around the ray is wide.
 };
 
 /// What there is to know of a way from level to level.
-struct WalkKind {
+struct LevelTraversalKind {
   bool isOpen = false;     ///< It is still to be chosen.
   bool nests = false;      ///< Each level has a loop, in which that of the next is called.
   bool isOneLoop = false;  ///< For all levels, which go down trees in its way.
@@ -54,14 +55,15 @@ struct DescentKind {
   bool keepsNodes = false; ///< Those above the current cell.
   bool restarts = false;   ///< At the root of the sub-volume, each time.
   bool byLayers = false;   ///< By a function for each.
-  bool nestsAlone = false; ///< Only a walk that nests can have it.
+  bool nestsAlone = false; ///< Only a traversal that nests can have it.
 };
 
-/// In the order of `Walk`.
-inline constexpr std::array<WalkKind, 4> kWalkKinds = {{{.isOpen = true},
-                                                        {.nests = true},
-                                                        {.isOneLoop = true, .keepsNodes = true},
-                                                        {.isOneLoop = true, .fromRoot = true}}};
+/// In the order of `LevelTraversal`.
+inline constexpr std::array<LevelTraversalKind, 4> kLevelTraversalKinds = {
+    {{.isOpen = true},
+     {.nests = true},
+     {.isOneLoop = true, .keepsNodes = true},
+     {.isOneLoop = true, .fromRoot = true}}};
 
 /// In the order of `Descent`.
 inline constexpr std::array<DescentKind, 5> kDescentKinds = {{{.ofGrids = true},
@@ -70,7 +72,9 @@ inline constexpr std::array<DescentKind, 5> kDescentKinds = {{{.ofGrids = true},
                                                               {.restarts = true, .nestsAlone = true},
                                                               {.byLayers = true, .nestsAlone = true}}};
 
-constexpr const WalkKind &kindOf(Walk walk) { return kWalkKinds[static_cast<std::size_t>(walk)]; }
+constexpr const LevelTraversalKind &kindOf(LevelTraversal traversal) {
+  return kLevelTraversalKinds[static_cast<std::size_t>(traversal)];
+}
 constexpr const DescentKind &kindOf(Descent descent) {
   return kDescentKinds[static_cast<std::size_t>(descent)];
 }
@@ -79,7 +83,8 @@ template <>
 inline constexpr std::array<std::string_view, 5> kEnumNames<Descent> = {"index", "single", "stack", "restart",
                                                                         "unrolled"};
 template <>
-inline constexpr std::array<std::string_view, 4> kEnumNames<Walk> = {"auto", "nested", "flat", "direct"};
+inline constexpr std::array<std::string_view, 4> kEnumNames<LevelTraversal> = {"auto", "nested", "flat",
+                                                                               "direct"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Precision> = {"exact", "fast"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Detail> = {"full", "cone"};
 

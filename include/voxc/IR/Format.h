@@ -27,7 +27,7 @@ struct Level {
   /// The value of the parameter with this role, or 0 if the kind has none.
   std::uint32_t parameter(ParameterRole role) const;
   bool isCubic() const;
-  /// True for a tree whose walk keeps the nodes above a cell.
+  /// True for a tree whose traversal keeps the nodes above a cell.
   bool keepsNodes() const;
   /// The value of an attribute: its default if it was not set or does not apply.
   std::string_view attribute(const AttributeKind &kind) const { return attributes.value(kind); }
@@ -82,7 +82,7 @@ Format parseIr(std::string_view text, Diagnostics &diagnostics);
 /// Prints canonical IR text: parsing it gives the same format, printing that the same text.
 std::string printIr(const Format &format);
 
-/// The format without its walk attributes: what a volume is stored as.
+/// The format without its traversal attributes: what a volume is stored as.
 Format storageFormat(Format format);
 
 /// True if the words of voxels are labels and no colours (`PayloadKind::labels`).

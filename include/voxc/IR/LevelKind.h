@@ -31,7 +31,7 @@ struct ParameterKind {
   std::uint32_t least = 0;  ///< The values that it takes,
   std::uint32_t most = 0;   ///< inclusive.
   std::optional<std::uint32_t>
-      usual; ///< What it is if it is not written; only the last parameters may be so.
+      defaultValue; ///< What it is if it is not written; only the last parameters may be so.
 
   bool isSize() const { return role != ParameterRole::Reach && role != ParameterRole::Branching; }
 };

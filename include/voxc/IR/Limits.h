@@ -6,14 +6,14 @@
 namespace voxc {
 
 /// Of each axis of a format, which a level of more than one cell doubles: more levels are of use to nobody.
-inline constexpr std::size_t kUsualLevels = 21;
+inline constexpr std::size_t kDefaultLevels = 21;
 
 /// No process can allow more: kernels and checks go down a call a level. Code for so many levels may take
 /// minutes to compile.
 inline constexpr std::size_t kMostLevels = 64;
 
 /// How many levels the formats have at most that this process takes from now on, 1 to kMostLevels; at first
-/// kUsualLevels. Those that it has already stay.
+/// kDefaultLevels. Those that it has already stay.
 void allowLevels(std::size_t most);
 std::size_t allowedLevels();
 

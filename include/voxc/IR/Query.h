@@ -48,7 +48,7 @@ struct Question {
 };
 
 /// The outputs that a query other than the closest has: none is left to choose. Those of the closest are the
-/// usual ones.
+/// default ones.
 constexpr Outputs outputsOf(Query query) {
   switch (query) {
   case Query::Closest:

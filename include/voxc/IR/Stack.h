@@ -1,12 +1,12 @@
-// Where a walk keeps the nodes above a cell.
+// Where a traversal keeps the nodes above a cell.
 #pragma once
 
 #include "voxc/Support/EnumText.h"
 
 namespace voxc {
 
-/// The memory in which a walk keeps the nodes above a cell: their references alone, for their words are read
-/// again.
+/// The memory in which a traversal keeps the nodes above a cell: their references alone, for their words are
+/// read again.
 enum class Stack {
   Private, ///< Each ray's own.
   Shared,  ///< Of a group of rays, as a device has: each has a column of it.

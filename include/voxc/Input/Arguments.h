@@ -50,7 +50,7 @@ std::string problemOfFillColour(const std::string &text);
 std::string problemOfVoxelSize(const std::string &text);
 std::string problemOfUnit(const std::string &text);
 
-/// Whether every value is one that its option takes: for who has no command line that refuses others. Error:
+/// Whether every value is one that its option takes: for anyone who has no command line that refuses others. Error:
 /// `Usage`, naming the first that is not.
 Expected<void> checkInputValues(const InputArguments &arguments);
 

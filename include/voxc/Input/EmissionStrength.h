@@ -12,7 +12,7 @@ constexpr std::uint32_t strengthWord(float strength) {
   return ((std::bit_cast<std::uint32_t>(strength) + 0x80) >> 8 & 0xffffff) | 0xff000000;
 }
 
-/// The strength that a word tells, whatever its alpha.
+/// The strength that a word encodes, whatever its alpha.
 constexpr float strengthOfWord(std::uint32_t word) { return std::bit_cast<float>(word << 8); }
 
 } // namespace voxc

@@ -40,7 +40,7 @@ struct InputFact {
 enum class MaterialWords {
   Colours,           ///< What is seen.
   Emission,          ///< The light that the surface gives off, in sRGB; black where there is none.
-  EmissionStrength,  ///< How many times as bright it is: `strengthOfWord` tells it.
+  EmissionStrength,  ///< How many times as bright it is: `strengthOfWord` decodes it.
   MetallicRoughness, ///< How clear it is in the first byte, how rough in the second and how metallic in the
                      ///< third, of 255, by the nearest texel.
 };
@@ -59,7 +59,7 @@ struct InputOptions {
   bool isUpKnown = false;                      ///< `zUp` was said, and holds whatever the kind of file.
   bool zUp = false; ///< The up of a mesh or a dense volume is +z: it is turned to +y.
   /// What nobody says of a dense volume is found: its threshold by its histogram, a window in which it is not
-  /// black, and which axis points up by its kind of file (+z in NIfTI files). A warning tells if most is
+  /// black, and which axis points up by its kind of file (+z in NIfTI files). A warning says if most is
   /// solid.
   bool isAutomatic = false;
   std::optional<double> threshold; ///< Samples of a dense volume from here up are voxels; default: all but 0.
@@ -67,7 +67,7 @@ struct InputOptions {
   /// A level set and values that are no numbers stay what they are.
   bool keepsSamples = false;
   /// How a dense volume's samples look: grey, heat, dusk or polar; or "labels": words are the samples, or the
-  /// numbers of a MagicaVoxel model's colours, whole numbers below 2^16 that tell what is there.
+  /// numbers of a MagicaVoxel model's colours, whole numbers below 2^16 that say what is there.
   std::string colourMap = "grey";
   std::optional<std::array<double, 2>> window; ///< The samples that the colour map's ends stand for; default:
                                                ///< the least and the greatest.
@@ -110,7 +110,7 @@ struct Input {
   MaterialWords words = MaterialWords::Colours; ///< What the words are.
   std::string provenance;                       ///< The options that matter, for `VolumeInfo::provenance`.
   std::vector<std::string> warnings;            ///< One sentence each.
-  std::vector<std::string> notes;               ///< What was done as it was asked for; one sentence each.
+  std::vector<std::string> notes;               ///< What was done as asked for; one sentence each.
   Interior interior = Interior::Keep;           ///< What was done with the inside,
   std::uint64_t interiorVoxels = 0;             ///< how many voxels were left out or added,
   double interiorSeconds = 0;                   ///< and how long it took to find them.

@@ -19,8 +19,8 @@ struct TracerChoice {
   /// An open device in place of `device`, which must outlive the tracer.
   Device *openDevice = nullptr;
   unsigned threads = 0; ///< Of this processor; 0: all.
-  /// Attributes of the walk and of what is asked, where they are not those that the volume was built with; of
-  /// the same storage.
+  /// Attributes of the traversal and of what is asked, where they are not those that the volume was built
+  /// with; of the same storage.
   std::optional<Format> format;
   /// Where kernels are looked for first, and also pipelines where no device is given: the next start compiles
   /// nothing. It must outlive the tracer. Null: none.

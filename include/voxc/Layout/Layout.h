@@ -56,7 +56,7 @@ enum class Alpha {
 /// Where the values of voxels stand.
 enum class Values {
   InPlace, ///< In the cells of the lowest stratum.
-  Apart,   ///< In blocks behind all nodes, by rank (voxc/Layout/Values.h); cells tell no more than that a
+  Apart,   ///< In blocks behind all nodes, by rank (voxc/Layout/Values.h); cells say no more than that a
            ///< voxel is there.
 };
 
@@ -161,7 +161,7 @@ inline constexpr std::array<std::string_view, 6> kEnumNames<Payload> = {"rgba8",
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Alpha> = {"any", "positive"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Values> = {"in-place", "apart"};
 
-/// Lowers the reach of a stratum's distances to what their bits can tell, and to what can occur.
+/// Lowers the reach of a stratum's distances to what their bits can encode, and to what can occur.
 void fitReach(Stratum &stratum);
 
 } // namespace voxc

@@ -1,6 +1,6 @@
-// The array of small grids by octants. A grid of 4 x 4 x 4 voxels has a byte that tells which of its eight
-// octants of 2 x 2 x 2 cells are not empty, and for each of these a byte that tells its cells, all in Morton
-// order. Sixteen grids are a group, whose head has a word that tells at which byte of the array the cells of
+// The array of small grids by octants. A grid of 4 x 4 x 4 voxels has a byte that says which of its eight
+// octants of 2 x 2 x 2 cells are not empty, and for each of these a byte that marks its cells, all in Morton
+// order. Sixteen grids are a group, whose head has a word that says at which byte of the array the cells of
 // the first begin, those of the others following, and then the bytes of octants, four a word; the last head
 // ends with the last grid. The cells of all groups stand behind all heads.
 #pragma once
@@ -30,7 +30,7 @@ void writeOctantArray(std::span<const std::uint32_t> grids, FunctionRef<void(std
 /// checked: what lies outside reads as 0.
 OctantGrid octantGrid(const WordReader &words, std::uint64_t array, std::uint64_t number);
 
-/// True if all words that the grid of a number speaks of are there, and no octant that it tells of is empty.
+/// True if all words that the grid of a number speaks of are there, and no octant that it names is empty.
 /// Else a problem is noted. `ranked`: kernels count its cells, and read a word behind them.
 bool checkOctantGrid(WordReader &words, std::uint64_t array, std::uint64_t number, bool ranked);
 

@@ -6,10 +6,10 @@
 // once; and a last word without meaning, since fields are read two words at a time. An entry is an offset
 // from the section's begin: of a colour, which all voxels of the block have, or of the block. A block is
 //
-//   word 0   bits 0 to 15: the least index; 16 to 20: the bits of an item, 0 to 16; bit 21: a mask tells
+//   word 0   bits 0 to 15: the least index; 16 to 20: the bits of an item, 0 to 16; bit 21: a mask marks
 //   runs;
-//            bit 22: begins tell runs; 24 to 31: how many items the palette has, 0 without one, or how many
-//            runs begins tell, at most 32;
+//            bit 22: begins mark runs; 24 to 31: how many items the palette has, 0 without one, or how many
+//            runs begins mark, at most 32;
 //   then     with a mask, 4 words of bits, of the voxels that differ from the one before, and of the first;
 //   then     one behind the other, as bits: with begins, 7 bits for each run but the first, at which voxel it
 //            begins; the items: of the palette, of the runs, or of all voxels, each an index above the least;

@@ -44,7 +44,7 @@ enum class EmptyRegion {
 /// Of kinds for which something never holds.
 inline bool never(const Stratum &) { return false; }
 
-/// `SlotKind::region` of kinds whose accessor tells of no more than the cell.
+/// `SlotKind::region` of kinds whose accessor reports no more than the cell.
 inline EmptyRegion cellAlone(const Stratum &) { return EmptyRegion::Cell; }
 
 /// A constant over which the runtime files of a kind are written.
@@ -145,14 +145,14 @@ struct SlotKind {
   int placeBits = 32;
   /// Equal nodes are fewer than a count of equal cubes says.
   bool sharesMore = false;
-  /// Empty children have slots too, which may tell distances; where they have none, a first value stands at
+  /// Empty children have slots too, which may store distances; where they have none, a first value stands at
   /// a known place.
-  bool keepsEmpty = false;
-  /// Masks tell which children there are, so that cells with implied values need no slots.
-  bool tellsByMasks = false;
+  bool hasEmptySlots = false;
+  /// Masks say which children there are, so that cells with implied values need no slots.
+  bool hasChildMask = false;
   /// Counts of voxels may stand behind what slots lead to.
   bool ranks = false;
-  /// The accessor of kernels loops. One that a device cut short gives a gap of no cells.
+  /// The accessor of kernels loops. One that a device cut short gives an empty span of no cells.
   bool lookUpLoops = false;
   /// How the voxels of a node that is the lowest follow each other in the order of construction, if that is
   /// not Morton order.
@@ -183,7 +183,7 @@ struct SlotKind {
   std::uint64_t (*size)(const WordReader &words, const Stratum &stratum, std::uint64_t node);
 
   /// How many cells are not empty in a node of this layer, which is checked with all that is below; 1 is the
-  /// lowest. 0 if something is wrong, or if only a visit tells. Null: only a visit ever tells.
+  /// lowest. 0 if something is wrong, or if only a visit can find out. Null: only a visit ever can.
   std::uint64_t (*count)(WordReader &words, const Stratum &stratum, std::uint64_t node, int layer) = nullptr;
 
   /// The child of a node at a place below the shape.
@@ -213,7 +213,7 @@ inline std::uint64_t beginOf(const Stratum &stratum, std::uint64_t node) {
   return bits < 32 ? node & ((std::uint64_t{1} << bits) - 1) : node;
 }
 
-/// True if the kernel's accessor tells of an empty cell that others around it are empty too.
+/// True if the kernel's accessor reports of an empty cell that others around it are empty too.
 inline bool reportsEmptyRegion(const Stratum &stratum) {
   return stratum.slots->region(stratum) != EmptyRegion::Cell;
 }
@@ -223,16 +223,16 @@ inline bool reportsBall(const Stratum &stratum) {
   return stratum.slots->region(stratum) == EmptyRegion::Ball;
 }
 
-/// True if the kernel's accessor tells a cell from its masks alone, and gives the node in place of a voxel's
+/// True if the kernel's accessor finds a cell by its masks alone, and gives the node in place of a voxel's
 /// value, which `value_level_N` then looks up once, when it is hit.
-inline bool findsValueLater(const Stratum &stratum) {
+inline bool defersValue(const Stratum &stratum) {
   const EmptyRegion region = stratum.slots->region(stratum);
   return region == EmptyRegion::Octant || region == EmptyRegion::Ahead || region == EmptyRegion::Octants;
 }
 
 /// True if each word of a node's mask is followed by how many bits the words before it have.
 inline bool countsMaskWords(const Stratum &stratum) {
-  return stratum.slots->tellsByMasks && stratum.log2Children() > 6 && (!stratum.implied || stratum.ranked);
+  return stratum.slots->hasChildMask && stratum.log2Children() > 6 && (!stratum.implied || stratum.ranked);
 }
 
 /// `SlotKind::forbidsEdits` of kinds by which numbers come into play.

@@ -34,7 +34,7 @@ inline constexpr std::uint64_t kMaxWords = std::uint64_t{1} << 32;
 /// log2 of the most words of a granule.
 inline constexpr int kMaxLog2Granule = 8;
 
-/// What an empty cell tells of the cells around it.
+/// What an empty cell says about the cells around it.
 enum class Metric {
   L1,     ///< The L1 distance to the nearest cell of the sub-volume that is not empty, `reach` at most.
   Octant, ///< For each octant of directions, how many cells a side the largest empty cube has that begins in
@@ -46,7 +46,7 @@ enum class Metric {
 /// Where the distance of an empty cell stands.
 enum class DistancePlace {
   Beside, ///< In a second word of its slot, whose first is 0.
-  InSlot, ///< In the slot itself, which `Empty` tells from those that are not empty.
+  InSlot, ///< In the slot itself, which `Empty` distinguishes from those that are not empty.
 };
 
 /// Which slots are empty. Where it is not `Zero`, the rest of an empty slot holds its distance.
@@ -71,21 +71,21 @@ enum class Sharing {
 };
 
 /// Which numbers have a count of the voxels before those of their sub-volumes.
-enum class Counts {
+enum class VoxelCountsOf {
   Each,
   Octant, ///< The first, in Morton order, of each octant of 2 x 2 x 2 cells; the masks that numbers lead to
-          ///< tell the voxels between.
+          ///< give the voxels between.
 };
 
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Metric> = {"l1", "octant"};
 template <>
 inline constexpr std::array<std::string_view, 2> kEnumNames<DistancePlace> = {"beside", "in-slot"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<LeafPlace> = {"apart", "in-slot"};
-template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Counts> = {"each", "octant"};
+template <> inline constexpr std::array<std::string_view, 2> kEnumNames<VoxelCountsOf> = {"each", "octant"};
 
 // What slots of some kinds have beside what all have.
 
-/// Slots of a grid whose empty cells have some too, which tell how far the next full cell is.
+/// Slots of a grid whose empty cells have some too, which say how far the next full cell is.
 struct Distances {
   Metric metric = Metric::L1;
   std::uint32_t reach = 0; ///< The largest distance stored.
@@ -99,7 +99,7 @@ struct Distances {
 /// `kIndexedWords` for each number before, whether or not it takes so many.
 struct Numbers {
   int bits = 0; ///< Of a number.
-  Counts counts = Counts::Each;
+  VoxelCountsOf counts = VoxelCountsOf::Each;
   // What follows from the layout.
   int arrayHead = 0;
   const SlotKind *leadsTo = nullptr; ///< The slots of the sub-volumes.
@@ -198,7 +198,7 @@ struct Stratum {
 };
 
 /// The longest of three sizes: of the bounding cube that Morton order speaks of.
-inline int longest(Int3 log2) {
+inline int maxComponent(Int3 log2) {
   const int xy = log2.x > log2.y ? log2.x : log2.y;
   return xy > log2.z ? xy : log2.z;
 }

@@ -11,7 +11,7 @@
 
 namespace voxc {
 
-/// The value of a cell, or of all cells of a leaf, that a node tells of.
+/// The value of a cell, or of all cells of a leaf, that a node holds.
 std::uint32_t cellValue(const WordReader &words, const Stratum &stratum, const Child &leaf);
 
 /// In a ranked stratum, how many voxels of a node come before those of a child of 2^log2Child cells a side.
@@ -31,7 +31,7 @@ using WindowVisit =
     FunctionRef<void(const Cube &cube, std::uint32_t value, std::uint64_t rank, std::uint64_t each)>;
 
 /// Visits the non-empty cells of the sub-volume at `offset` that lie in the aligned cube `window`, in cells:
-/// what `lookUp` tells of each, in one walk. The words must have been checked.
+/// what `lookUp` returns for each, in one traversal. The words must have been checked.
 void visitWindow(const WordReader &words, const Stratum &stratum, std::uint64_t offset, const Cube &window,
                  WindowVisit visit);
 

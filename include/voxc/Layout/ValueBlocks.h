@@ -4,7 +4,7 @@
 // equal ones once, and a last word without meaning, since values are read two words at a time. A block is
 //
 //   word 0   the least of each channel, a byte each, R lowest;
-//   word 1   the bits that each channel takes (4 bits each, R lowest: 0 to 8); bit 16: R and B are told as
+//   word 1   the bits that each channel takes (4 bits each, R lowest: 0 to 8); bit 16: R and B are stored as
 //            their differences from G, modulo 256; bit 17: there are runs; bits 18 to 21: the bits of an
 //            index, 0 without a palette; bits 24 to 31: the word at which the items begin;
 //   then     with runs, 4 words of bits, of the values that differ from the one before, and of the first;

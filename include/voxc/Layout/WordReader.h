@@ -86,7 +86,7 @@ public:
   /// A node of 2^height cells a side, or the sub-volume in a cell of this value, is likely to be read soon.
   virtual void foreseeNode(std::uint64_t /*offset*/, int /*height*/) {}
   virtual void foreseeCell(std::uint32_t /*value*/) {}
-  /// True to be told, by `countCells`, how many cells are not empty in a node of a tree of 2^height cells a
+  /// True to be given, by `countCells`, how many cells are not empty in a node of a tree of 2^height cells a
   /// side, or, with 0, in one that was entered and has cells alone below, and not to be shown them.
   virtual bool countsCells(int /*height*/) const { return false; }
   virtual void countCells(std::uint64_t /*count*/) {}
@@ -94,7 +94,7 @@ public:
   virtual void leaveNode() {}
   /// Every cell of the aligned `cube` (in cells, from the sub-volume's low corner) has this non-zero value.
   virtual void cells(const Cube &cube, std::uint32_t value, Ranks ranks) = 0;
-  /// True to end the walk early.
+  /// True to end the traversal early.
   virtual bool done() const { return false; }
 };
 

@@ -10,7 +10,7 @@
 
 namespace voxc {
 
-/// By which rule the inside of a mesh was told from its outside.
+/// By which rule the inside of a mesh was distinguished from its outside.
 enum class SolidRule : std::uint8_t {
   Winding, ///< The mesh is closed and its triangles turn alike: inside, the winding number is not 0.
   Parity,  ///< It is closed, but some triangles face the other way: inside, a ray crosses it an odd number of

@@ -93,7 +93,7 @@ struct ErrorFigures {
   /// - the kernel's voxel, if it hits, is not empty, and the ray meets its cell grown by e on every side;
   /// - the oracle's voxel, if it hits, is met no sooner than the kernel's, both grown by e; or else its cell
   ///   shrunk by e on every side is not met at all: the kernel may have passed it by.
-  /// Nothing explains the hit of a kernel that does not tell its voxel.
+  /// Nothing explains the hit of a kernel that does not report its voxel.
   std::uint64_t boundary = 0;
   std::uint64_t sameVoxel = 0; ///< Rays on which both hit the same voxel: those that have a dt.
   double maxDt = 0;            ///< In voxels: t times the direction's length, where both hit the same voxel.
@@ -115,7 +115,7 @@ ErrorFigures compare(const Oracle &oracle, RaySpan rays, std::span<const Hit> hi
                      const Question &question = {});
 
 /// The same with the oracle's hits at hand: exact[i] is that of rays[i], whatever is asked. They depend on
-/// nothing but voxels and rays, so that one `Oracle::trace` serves every format, walk and device.
+/// nothing but voxels and rays, so that one `Oracle::trace` serves every format, traversal and device.
 ErrorFigures compare(const Oracle &oracle, RaySpan rays, std::span<const Hit> exact,
                      std::span<const Hit> hits, const Question &question = {});
 

@@ -54,7 +54,7 @@ struct AttributeChoice {
 /// A pass: its name is also its flag (`--whole-level-dedup`).
 struct Pass {
   std::string_view name;
-  AttributeEffect effect; ///< Walk passes may be applied to any volume.
+  AttributeEffect effect; ///< Traversal passes may be applied to any volume.
   std::string_view summary;
   std::string_view details; ///< A paragraph for `voxc-opt --help-passes` and docs/passes.md.
   AttributeChoice choice;   ///< Without a kind where `function` does the work.
@@ -94,6 +94,6 @@ PassResult granules(Format &format, Diagnostics &diagnostics);
 PassResult mergeGrids(Format &format, Diagnostics &diagnostics);
 PassResult splitGrids(Format &format, Diagnostics &diagnostics);
 PassResult sharedStack(Format &format, Diagnostics &diagnostics);
-PassResult stripWalk(Format &format, Diagnostics &diagnostics);
+PassResult stripTraversal(Format &format, Diagnostics &diagnostics);
 
 } // namespace voxc

@@ -20,23 +20,23 @@
 
 namespace voxc {
 
-/// The numbers that an exact walk steps in, until integers have to decide.
-enum class Steps {
+/// The numbers that an exact traversal steps in, until integers have to decide.
+enum class StepArithmetic {
   Float32,
   Refined, ///< Float32, and at once sums of two where that is not sure: best where few lanes make a branch
            ///< cheap.
-  Float64, ///< Slower, but sure of nearly every step of a long walk.
+  Float64, ///< Slower, but sure of nearly every step of a long traversal.
 };
 
 /// Who puts rays into the lanes of registers.
 enum class Packing {
-  Device,  ///< The device, for as long as a walk takes.
-  Packets, ///< What runs around the kernel: a walk is let go when few lanes are still at work, and goes on in
-           ///< a packet of such.
+  Device,  ///< The device, for as long as a traversal takes.
+  Packets, ///< What runs around the kernel: a traversal is let go when few lanes are still at work, and goes
+           ///< on in a packet of such.
 };
 
-/// Who makes the faces ahead of what a direct walk finds empty.
-enum class GapFaces {
+/// Who makes the faces ahead of what a direct traversal finds empty.
+enum class SpanFaces {
   Step,   ///< The step over it: once for all levels.
   Lookup, ///< The look-up that finds it, while it waits for what it reads.
 };
@@ -54,21 +54,23 @@ enum class PacketWidth {
 };
 
 template <>
-inline constexpr std::array<std::string_view, 3> kEnumNames<Steps> = {"float32", "refined", "float64"};
+inline constexpr std::array<std::string_view, 3> kEnumNames<StepArithmetic> = {"float32", "refined",
+                                                                               "float64"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Packing> = {"device", "packets"};
-template <> inline constexpr std::array<std::string_view, 2> kEnumNames<GapFaces> = {"step", "lookup"};
+template <> inline constexpr std::array<std::string_view, 2> kEnumNames<SpanFaces> = {"step", "lookup"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<Compare> = {"bits", "numbers"};
 template <> inline constexpr std::array<std::string_view, 2> kEnumNames<PacketWidth> = {"wide", "narrow"};
 
 /// How a kernel goes through one stratum; one that looks at points alone goes down from the root.
 struct Traversal {
   Descent descent{};  ///< By index.
-  bool stops = false; ///< `stopsAboveVoxels`: the walk may stop at nodes and cells of this stratum.
+  bool stops = false; ///< `stopsAboveVoxels`: the traversal may stop at nodes and cells of this stratum.
   bool sampled =
       false; ///< Where it stops, here or above, a colour is searched in sub-volumes of this stratum.
   Loops lookUp = Loops::Whole; ///< `Cut`: a device may end a look-up early, and the kernel asks if it has.
   bool readsValues = true;     ///< Of a full cell its value is read; else no more than that it is there.
-  bool voxelSteps = false; ///< A nested walk steps over single voxels here, by a shorter way than over gaps.
+  bool voxelSteps =
+      false; ///< A nested traversal steps over single voxels here, by a shorter way than over empty spans.
 
   bool operator==(const Traversal &) const = default;
 };
@@ -84,10 +86,10 @@ struct Construction {
 struct Plan {
   Layout layout;
   Addressing addressing = Addressing::Buffer;
-  Walk walk{};                  ///< Still to be chosen.
-  Stack stack = Stack::Private; ///< Of a walk that keeps one.
-  Precision precision{};        ///< Exact.
-  Steps steps = Steps::Float32;
+  LevelTraversal levelTraversal{}; ///< Still to be chosen.
+  Stack stack = Stack::Private;    ///< Of a traversal that keeps one.
+  Precision precision{};           ///< Exact.
+  StepArithmetic steps = StepArithmetic::Float32;
   Detail detail{}; ///< Down to voxels.
   Query query{};   ///< The closest hit.
   Outputs outputs; ///< Those of the query.
@@ -95,10 +97,10 @@ struct Plan {
   Arithmetic arithmetic = Arithmetic::Any;
   Packing packing = Packing::Device;
   bool bounded = false; ///< Rays have a tmin and a tmax, between which voxels are looked for.
-  /// A walk goes on with the cell that a step leads to before it is known if the step was sure, and looks
-  /// back if it was not.
+  /// A traversal goes on with the cell that a step leads to before it is known if the step was sure, and
+  /// looks back if it was not.
   bool speculative = false;
-  GapFaces gapFaces = GapFaces::Step;
+  SpanFaces spanFaces = SpanFaces::Step;
   Compare compare = Compare::Bits;
   PacketWidth packetWidth = PacketWidth::Wide;
   bool defersValues = true;          ///< A voxel's value is looked up once it is hit, not where it is found.
@@ -170,7 +172,7 @@ Expected<void> runPlanPasses(Plan &plan, std::span<const PlanPass *const> passes
 Expected<Plan> makePlan(const Format &format, const PlanOptions &options = {});
 
 /// Error (`Usage`) if a kernel of this format cannot wait for pages: it stops above voxels, looks at points,
-/// or is asked to walk in another way than down from the root.
+/// or is asked to traverse in another way than down from the root.
 Expected<void> checkPaging(const Format &format);
 
 /// Where a plan stands in a text.

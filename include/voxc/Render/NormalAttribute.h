@@ -21,7 +21,7 @@ std::uint32_t packNormal(const glm::vec3 &direction);
 glm::vec3 unpackNormal(std::uint32_t packed);
 
 /// The attribute `normal`: the direction of the surface at each voxel, as `SurfaceNormals` finds it, to the
-/// side with more room; 0 where the voxels around tell none. Errors: more than `mostBytes`; interrupted.
+/// side with more room; 0 where the voxels around give none. Errors: more than `mostBytes`; interrupted.
 Expected<Attribute> normalAttribute(const Volume &volume, unsigned threads, const Progress &progress = {},
                                     std::uint64_t mostBytes = kMostAttributeBytes);
 

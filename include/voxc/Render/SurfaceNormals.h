@@ -18,7 +18,7 @@ namespace voxc {
 /// The direction of a surface, of either sign, and how far along it and against it there is room above the
 /// steps of its voxels, from where the way to the light is not hidden by them: 0 where there is none.
 struct SurfaceNormal {
-  glm::vec3 direction{}; ///< Zero where the voxels around tell none.
+  glm::vec3 direction{}; ///< Zero where the voxels around give none.
   float roomAlong = 0;
   float roomAgainst = 0;
 };

@@ -31,7 +31,7 @@ struct CandidateTraits {
 Expected<Candidate> makeCandidate(const std::string &text, const CandidateTraits &traits,
                                   const FormatChoices &choices);
 
-/// The choices that passes of a candidate tell of.
+/// The choices that passes of a candidate stand for.
 FormatChoices choicesOf(const std::vector<std::string> &passes);
 
 /// The formats of 2^log2Side voxels a side that `voxc suggest` chooses from: a grid, or one with distances,

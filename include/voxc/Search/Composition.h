@@ -47,13 +47,13 @@ enum class SmallGrids {
 /// What is chosen for a whole composition, beside the passes that make any format smaller or faster.
 struct FormatChoices {
   SmallGrids grids = SmallGrids::Pointed;
-  std::string_view walk; ///< One of `searchedWalks`.
+  std::string_view traversal; ///< One of `searchedTraversals`.
 
   auto operator<=>(const FormatChoices &) const = default;
 };
 
-/// Walk passes that a search tries; the first, "", leaves it to the rule of choose-walk.
-std::span<const std::string_view> searchedWalks();
+/// Traversal passes that a search tries; the first, "", leaves it to the rule of choose-traversal.
+std::span<const std::string_view> searchedTraversals();
 
 struct Composition {
   std::vector<ShapedLevel> levels; ///< The highest first.
@@ -77,7 +77,7 @@ std::optional<Composition> compositionOf(const Format &format);
 std::vector<Composition> rewritesOf(const Composition &composition, std::size_t maxLevels);
 
 /// How many heights two compositions of one side have in different shapes, or begin a level at in but one of
-/// them; other small grids count as one, another walk as several.
+/// them; other small grids count as one, another traversal as several.
 int differences(const Composition &a, const Composition &b);
 
 } // namespace voxc

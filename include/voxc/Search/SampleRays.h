@@ -1,7 +1,7 @@
 // Rays that stand for those that will be asked of a scene.
 #pragma once
 
-#include "voxc/Search/Rater.h"
+#include "voxc/Search/FormatPredictor.h"
 #include "voxc/Search/SceneDag.h"
 #include "voxc/Trace/Camera.h"
 #include "voxc/Trace/Ray.h"
@@ -29,7 +29,7 @@ std::vector<Ray> sampleBounces(const SceneDag &dag, const std::vector<Ray> &rays
 RaySet samplePackets(std::string name, std::vector<Ray> rays, std::size_t count, int edge, RayOrder order);
 
 /// `count` of the set's rays (rounded down to packets): packets whose rays cross few cubes of the scene and
-/// packets whose rays cross many as they are among all, which tells the cost of all better than as many
+/// packets whose rays cross many as they are among all, which shows the cost of all better than as many
 /// others would. They stand in this order. The whole set if it has no more.
 RaySet typicalPackets(const SceneDag &dag, const RaySet &set, std::size_t count);
 

@@ -1,5 +1,5 @@
 // A scene as one directed acyclic graph from its bounding cube down to single voxels, in which equal cubes
-// are one. From it follows how many words every format takes, without building any (voxc/Search/Pricer.h).
+// are one. From it follows how many words every format takes, without building any (voxc/Search/SizeModel.h).
 #pragma once
 
 #include "voxc/Source/VoxelSource.h"

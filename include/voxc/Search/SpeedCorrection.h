@@ -1,4 +1,4 @@
-// What measurements tell of a speed model's errors: formats that are alike are wrong alike.
+// What measurements show of a speed model's errors: formats that are alike are wrong alike.
 #pragma once
 
 #include "voxc/Search/Composition.h"
@@ -9,21 +9,21 @@
 namespace voxc {
 
 /// A Gaussian process over compositions (Rasmussen and Williams, "Gaussian Processes for Machine Learning",
-/// algorithm 2.1). The logarithms of measured times over foretold ones are a part that all have in common,
+/// algorithm 2.1). The logarithms of measured times over predicted ones are a part that all have in common,
 /// and a part that is the more alike the fewer heights two compositions differ in. How large and how far it
 /// reaches is chosen by the likelihood of the samples.
 class SpeedCorrection {
 public:
   struct Sample {
     Composition composition;
-    double error; ///< ln(measured / foretold).
+    double error; ///< ln(measured / predicted).
   };
 
-  /// Without samples nothing is corrected, and the deviation is the model's usual one.
+  /// Without samples nothing is corrected, and the deviation is the model's default one.
   explicit SpeedCorrection(std::vector<Sample> samples = {});
 
   struct Estimate {
-    double error = 0;     ///< That is expected, to be added to the logarithm of the foretold time.
+    double error = 0;     ///< That is expected, to be added to the logarithm of the predicted time.
     double deviation = 0; ///< Its standard deviation.
   };
   Estimate at(const Composition &composition) const;

@@ -2,7 +2,7 @@
 // the time that it takes there.
 #pragma once
 
-#include "voxc/Search/Replay.h"
+#include "voxc/Search/RayCostModel.h"
 
 #include <array>
 #include <cstddef>
@@ -15,21 +15,21 @@ namespace voxc {
 
 /// What the time of a ray is a sum of.
 enum class SpeedTerm : std::size_t {
-  Ray,            ///< Once a ray.
-  Binning,        ///< `RayCost::binned`.
-  Levels,         ///< `RayCost::levels`.
-  Colours,        ///< `RayCost::colours`.
-  Turns,          ///< `RayCost::turns`.
-  Words,          ///< `RayCost::words`.
-  Probes,         ///< `RayCost::probes`.
-  Layers,         ///< `RayCost::packetLayers`.
-  Trees,          ///< `RayCost::packetTrees`.
-  Marches,        ///< `RayCost::marches`.
-  Switches,       ///< `RayCost::switches`.
-  PacketSwitches, ///< `RayCost::packetSwitches`.
-  Lines,          ///< `RayCost::lines`.
-  FarWaits,       ///< `RayCost::waits`, times log2(1 + the volume's bytes / 1 MiB): memory is farther away.
-  FarLines,       ///< `RayCost::lines`, times what that logarithm is above 2: beyond what caches hold.
+  Ray,              ///< Once a ray.
+  Binning,          ///< `RayCost::binned`.
+  Levels,           ///< `RayCost::levels`.
+  Colours,          ///< `RayCost::colours`.
+  Turns,            ///< `RayCost::turns`.
+  Words,            ///< `RayCost::words`.
+  Probes,           ///< `RayCost::probes`.
+  Layers,           ///< `RayCost::packetLayers`.
+  Trees,            ///< `RayCost::packetTrees`.
+  Marches,          ///< `RayCost::marches`.
+  Switches,         ///< `RayCost::switches`.
+  PacketSwitches,   ///< `RayCost::packetSwitches`.
+  Lines,            ///< `RayCost::lines`.
+  CacheMissLatency, ///< `RayCost::waits`, times log2(1 + the volume's bytes / 1 MiB): memory is farther away.
+  CacheMissLines,   ///< `RayCost::lines`, times what that logarithm is above 2: beyond what caches hold.
 };
 inline constexpr std::size_t kSpeedTerms = 15;
 
@@ -55,7 +55,7 @@ struct SpeedSample {
 /// coordinate descent). With fewer samples than terms it is drawn towards `prior`.
 SpeedModel fitSpeedModel(std::span<const SpeedSample> samples, const SpeedModel &prior = {});
 
-/// The model of a device as it was measured where voxc is made: of processors for "cpu" and for Vulkan's
+/// The model of a device as measured where voxc is made: of processors for "cpu" and for Vulkan's
 /// devices that are one, and else of the latter. Ratios hold elsewhere better than times.
 const SpeedModel &defaultSpeedModel(std::string_view device);
 

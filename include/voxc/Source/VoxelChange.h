@@ -17,7 +17,7 @@ struct CubeChange {
   enum Kind {
     Keep, ///< All its voxels stay what they are.
     Set,  ///< All become `word`; 0 clears them.
-    Some, ///< Only smaller cubes tell, or single voxels.
+    Some, ///< Only smaller cubes can say, or single voxels.
   };
   Kind kind = Keep;
   std::uint32_t word = 0;

@@ -33,7 +33,7 @@ public:
   virtual Int3 extent() const = 0;
 
   /// True only if `cube` (aligned) is known to hold no voxel. May be false for an empty cube, and is so where
-  /// the source cannot tell; must be cheap.
+  /// the source cannot decide; must be cheap.
   virtual bool empty(const Cube &cube) = 0;
 
   /// Writes the 8^log2Side words of the aligned `cube` (log2Side <= 3) to `words`, in Morton order; 0 is

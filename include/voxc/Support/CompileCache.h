@@ -19,11 +19,11 @@ namespace voxc {
 class CompileCache {
 public:
   /// A quarter of a gigabyte: some thousands of kernels.
-  static constexpr std::uint64_t kUsualBytes = std::uint64_t{1} << 28;
+  static constexpr std::uint64_t kDefaultBytes = std::uint64_t{1} << 28;
 
   /// Opens a folder, which is made if need be. Compiled code is executed: an error (`Environment`) if the
   /// folder belongs to someone else, or others may write to it; also if it cannot be made.
-  static Expected<CompileCache> open(std::string folder, std::uint64_t mostBytes = kUsualBytes);
+  static Expected<CompileCache> open(std::string folder, std::uint64_t mostBytes = kDefaultBytes);
 
   /// What was stored as of `kind`, a word of letters, under the same `parts`, which are texts of any bytes.
   std::optional<std::string> find(std::string_view kind, std::span<const std::string_view> parts) const;

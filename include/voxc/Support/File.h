@@ -51,7 +51,7 @@ public:
   Expected<void> write(const void *data, std::size_t size);
   /// Writes over bytes that were written before. Error: `Environment`.
   Expected<void> rewrite(std::uint64_t offset, const void *data, std::size_t size);
-  /// The file itself, for who writes in any order; `write` is not to be mixed with that.
+  /// The file itself, for anyone who writes in any order; `write` is not to be mixed with that.
   int descriptor() const { return ::fileno(file_); }
   /// True if there is a file of its own, not a pipe or a device.
   bool isRegular() const { return replaces_; }

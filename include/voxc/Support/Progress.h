@@ -8,7 +8,7 @@
 
 namespace voxc {
 
-/// How long work tells how far it is and asks whether to stop. Copies share nothing; all members are
+/// How long work reports how far it is and asks whether to stop. Copies share nothing; all members are
 /// optional.
 struct Progress {
   /// Called now and then with the stage's name, its finished fraction in [0, 1], and how many things are done
@@ -17,7 +17,7 @@ struct Progress {
   /// Set by anyone, also a signal handler, to end the work early with `ErrorKind::Interrupted`.
   const std::atomic<bool> *stop = nullptr;
   /// Asked besides, as often as the work looks whether to stop, and by several threads at once; true ends the
-  /// work in the same way, and has to be followed by true. For who has a deadline, and no one to set a flag.
+  /// work in the same way, and has to be followed by true. For anyone who has a deadline, and no one to set a flag.
   std::function<bool()> ask;
 
   void at(std::string_view stage, double fraction, std::uint64_t done = 0) const {

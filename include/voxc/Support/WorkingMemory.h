@@ -77,13 +77,13 @@ public:
   Expected<MemoryBlock> reserve(std::uint64_t most);
   /// Adds whole pages of zeroed memory, at least `bytes`, to a reserved block.
   Expected<void> extend(MemoryBlock &block, std::uint64_t bytes);
-  /// The same, but never from the scratch file: for pages that are soon settled.
+  /// The same, but never from the scratch file: for pages that are soon flushed.
   Expected<void> extendInMemory(MemoryBlock &block, std::uint64_t bytes);
   /// Writes whole pages of a block that `extendInMemory` gave to another file, open for reading and writing,
   /// at `offset` (whole pages) where it has nothing yet, and maps them from there: from now on they can only
   /// be read. Zeros become holes of the file. Error: `Environment`.
-  Expected<void> settle(MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes, int file,
-                        std::uint64_t offset);
+  Expected<void> flush(MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes, int file,
+                       std::uint64_t offset);
   /// The same as `reserve` of memory of which `view` gives further mappings. It never lies in the scratch
   /// file.
   Expected<MemoryBlock> reserveShared(std::uint64_t most);

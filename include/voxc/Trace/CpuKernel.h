@@ -43,7 +43,7 @@ struct CpuPages {
 
 /// The first hit of one ray (in voxels), traced by `kernel` on the calling thread; any number of threads may
 /// ask at once. For many rays `createCpuTracer` is faster. Error: the kernel was made for other storage
-/// (`Input`), which two digests tell, so that asking for every ray costs next to nothing.
+/// (`Input`), which two digests show, so that asking for every ray costs next to nothing.
 Expected<Hit> intersect(const Volume &volume, const CpuKernel &kernel, const Ray &ray);
 /// The same between two moments, of a kernel that is `bounded`; of another it is an error (`Usage`).
 Expected<Hit> intersect(const Volume &volume, const CpuKernel &kernel, const BoundedRay &ray);

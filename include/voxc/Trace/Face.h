@@ -1,4 +1,4 @@
-// The face of a voxel by which a ray enters it, as hits tell it.
+// The face of a voxel by which a ray enters it, as hits report it.
 #pragma once
 
 #include <glm/vec3.hpp>

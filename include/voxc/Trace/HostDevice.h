@@ -35,8 +35,8 @@ struct HostDevice {
 Expected<HostFeatures> usefulFeatures(VkInstance instance, VkPhysicalDevice physicalDevice,
                                       PFN_vkGetInstanceProcAddr getInstanceProcAddr = nullptr);
 
-/// The host's device as one that tracers and recorders are made on. It keeps nothing but what is told of it,
-/// and destroys nothing of the host's; the host destroys the device after it. Any number of them may be
+/// The host's device as one that tracers and recorders are made on. It keeps nothing but what is given about
+/// it, and destroys nothing of the host's; the host destroys the device after it. Any number of them may be
 /// there, of one device or of several. Errors: a handle is null, or the queue's family does not compute
 /// (`Usage`); the device has no Vulkan 1.2, or the loader is not to be had (`Environment`).
 Expected<Device> adoptDevice(const HostDevice &host);

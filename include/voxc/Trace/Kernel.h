@@ -25,15 +25,16 @@ inline constexpr std::uint32_t kWorkgroupSize = 64;
 /// them, their number, and the rays' own numbers, 4 the page table (`Paged`; docs/paging.md).
 /// Push constants: uint first_ray, uint ray_count, uint task. Specialization constants: 0 (bool) count
 /// lookups; 1 (float) the cone's spread, in kernels of `detail=cone` (`TraceOptions::spread`); 2 (bool) count
-/// words read; 3 (bool) settle; 4 (uint) log2 of a page's words and 5 (uint) pages of the volume (`Paged`); 6
-/// (bool) rays may begin far away; 7 (uint) invocations of a workgroup, by default `kWorkgroupSize`.
+/// words read; 3 (bool) exact fallback; 4 (uint) log2 of a page's words and 5 (uint) pages of the volume
+/// (`Paged`); 6 (bool) rays may begin far away; 7 (uint) invocations of a workgroup, by default
+/// `kWorkgroupSize`.
 ///
-/// A dispatch of task 0 traces the rays from their beginning. One that settles, as by default, traces all to
-/// their end and needs no list. One that does not is faster: rays that it cannot tell all of it leaves with a
-/// hit of -2 - cell, and puts them on the list, which must have been 0, 1, 1, 0; a dispatch that settles,
+/// A dispatch of task 0 traces the rays from their beginning. One that resolves, as by default, traces all to
+/// their end and needs no list. One that does not is faster: rays that it cannot decide it defers with a
+/// hit of -2 - cell, and puts them on the list, which must have been 0, 1, 1, 0; a dispatch that resolves,
 /// with task 1, goes on with the rays of the list, and is started with its first words. `Loops::Cut`: rays
 /// whose loops the device cuts short stay with a hit of -2 - cell, and with `Paged` those that wait for a
-/// page; a dispatch that settles, with task 2, goes on with them.
+/// page; a dispatch that resolves, with task 2, goes on with them.
 struct Kernel {
   std::vector<std::uint32_t> spirv;
   std::uint64_t storageDigest = 0;

@@ -19,7 +19,7 @@ struct KernelField {
 /// A storage buffer: fields that stand there once, and behind them records, one after another.
 struct KernelBinding {
   std::uint32_t binding = 0;
-  std::string_view name;   ///< "rays", "hits", "words" or "left".
+  std::string_view name;   ///< "rays", "hits", "words" or "deferred".
   std::string_view access; ///< "read", or "read write".
   std::vector<KernelField> header;
   std::uint32_t headerBytes = 0;
@@ -31,11 +31,11 @@ struct KernelBinding {
 struct KernelConstant {
   std::uint32_t id = 0;
   std::string_view name;
-  std::string_view type;  ///< "bool" or "float32".
-  std::string_view usual; ///< What it is if nobody says.
+  std::string_view type;         ///< "bool" or "float32".
+  std::string_view defaultValue; ///< What it is if nobody says.
 };
 
-/// A compute shader's interface; what each part means is told at `Kernel`.
+/// A compute shader's interface; what each part means is documented at `Kernel`.
 struct KernelInterface {
   std::string_view entryPoint = "main";
   std::uint32_t workgroupSize = kWorkgroupSize; ///< Invocations, along x; an invocation a ray.

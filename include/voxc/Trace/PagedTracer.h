@@ -15,7 +15,7 @@ struct PagingOptions {
   std::uint64_t memoryBytes = 0; ///< For pages and their table; rays and hits take more.
   unsigned threads = 0;          ///< That decode pages, and trace on the cpu; 0: all of the machine.
   /// Reads the volume's coarse blocks (voxc/Volume/CoarseBlocks.h), which this processor keeps beside that
-  /// memory, so that `TraceOptions::coarse` can let them answer rays. Kernels must tell the voxel, t and
+  /// memory, so that `TraceOptions::coarse` can let them answer rays. Kernels must report the voxel, t and
   /// colour of the closest hits, and no more.
   bool coarse = false;
   /// Where pages are looked for before they are read, and where those go that were read; null: nowhere. So
@@ -50,7 +50,7 @@ struct PagingReport {
 /// page is not what was stored, named (`Input`); a ray needs more pages at once than there is room for
 /// (`Usage`). `follow` takes the words of later pages from the edited volume, and brings what changed into
 /// pages that are there; it adds these errors: more words than `PagingOptions::moreWords` leave room for, or
-/// coarse blocks, which are of the volume as it was stored (`Usage`).
+/// coarse blocks, which are of the volume as stored (`Usage`).
 class PagedTracer : public Tracer {
 public:
   virtual PagingReport paging() const = 0;

@@ -133,7 +133,7 @@ public:
   /// to a device, and its memory grows where there are more than before. `after` must live as the tracer's
   /// first volume had to; `before` is not needed any more. Errors: a volume of other storage (`Input`);
   /// `before` is not the volume that it traces, or the tracer is of a kind that cannot do this (`Usage`),
-  /// which leave it as it was; the device has no room or fails (`Environment`), after which it must not be
+  /// which leave it unchanged; the device has no room or fails (`Environment`), after which it must not be
   /// used.
   virtual Expected<UpdateReport> update(const Volume & /*before*/, const Volume & /*after*/) {
     return Error::usage("this tracer traces one volume and takes no other");

@@ -2,7 +2,7 @@
 // attribute is a stream with one element for each voxel, by the voxel's number: how many voxels of the volume
 // come before it. They are counted in Morton order, but inside of a last level's masked grid that is not
 // M(2, 2, 2) along x first, then y, then z, as its bits are. Where values stand apart, a kernel with
-// `index=yes` tells the number of a hit's voxel (`Outputs::index`).
+// `index=yes` reports the number of a hit's voxel (`Outputs::index`).
 #pragma once
 
 #include "voxc/Support/Error.h"

@@ -58,7 +58,7 @@ Expected<CoarseBlocks> makeCoarseBlocks(const Volume &volume, int log2Side, cons
 
 /// The stream that blocks of this side are kept in: "coarse-4" to "coarse-32".
 std::string coarseStreamName(int log2Side);
-/// log2 of the side that the name of a stream tells; nothing if it is another stream.
+/// log2 of the side that the name of a stream gives; nothing if it is another stream.
 std::optional<int> coarseSideOf(std::string_view streamName);
 
 /// A volume of the same words with these blocks, and no others. It keeps `volume`. Error (`Usage`): it has no

@@ -42,7 +42,7 @@ public:
   PagedVolume &operator=(PagedVolume &&) noexcept;
 
   /// Makes frame `number`, from 1 on, of a volume of several (`voxc/Volume/Frames.h`) the one that its first
-  /// page and `info` tell of. Errors (`Input`): no such frame; a damaged page.
+  /// page and `info` report. Errors (`Input`): no such frame; a damaged page.
   Expected<void> chooseFrame(int number);
 
   const VolumeInfo &info() const;

@@ -20,7 +20,7 @@ struct ShapeCube {
   int log2Side = 0;
 };
 
-/// Reads shapes alone, of no voxel its value: so of pages no more than tell that. For one thread; many of
+/// Reads shapes alone, of no voxel its value: so of pages no more than say that. For one thread; many of
 /// them may read one volume, and share a shelf. The volume must outlive it.
 class ShapeReader {
 public:
@@ -30,7 +30,7 @@ public:
   ~ShapeReader();
   ShapeReader(ShapeReader &&) noexcept;
 
-  /// The largest cube around a voxel of which one look tells. What lies outside of the format is empty.
+  /// The largest cube around a voxel that one look covers. What lies outside of the format is empty.
   ShapeCube at(Int3 voxel) const;
   /// The voxels of the aligned cube of 4^3 from `low` on: bit x + 4 y + 16 z says that one is there.
   std::uint64_t brick(Int3 low) const;

@@ -32,7 +32,7 @@ struct WordCounts {
 
 /// What a volume says of itself beside its streams; kept in the file's header.
 struct VolumeInfo {
-  Format format; ///< Its storage: no walk attributes.
+  Format format; ///< Its storage: no traversal attributes.
   Int3 extent;   ///< Of the input, in voxels; the rest of the format is padding.
   Transform voxelToModel;
   std::uint64_t voxels = 0; ///< Non-empty ones.
@@ -46,7 +46,7 @@ inline constexpr std::uint64_t kMostCubes = std::uint64_t{1} << 34;
 
 /// How a volume is loaded.
 struct LoadOptions {
-  bool trusted = false; ///< Leaves out the walk that proves every offset.
+  bool trusted = false; ///< Leaves out the check that proves every offset.
   /// Where the streams of a compressed file go; null: `WorkingMemory::createDefault()`.
   std::shared_ptr<WorkingMemory> memory;
   unsigned threads = 0; ///< That decode a compressed file; 0: as many as the machine has.
@@ -91,7 +91,7 @@ public:
   /// `Environment`, no memory for what is decoded; interrupted.
   static Expected<Volume> load(const std::string &path, const LoadOptions &options = {});
 
-  /// Writes a .hvx file under a temporary name and renames it: `path` is whole, or as it was. Errors:
+  /// Writes a .hvx file under a temporary name and renames it: `path` is whole, or unchanged. Errors:
   /// `Environment`; of a compressed one also that `path` is a pipe, or interrupted.
   Expected<void> save(const std::string &path, const SaveOptions &options = {}) const;
 

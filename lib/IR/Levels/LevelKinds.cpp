@@ -28,9 +28,9 @@ constexpr std::array<std::string_view, 2> kMasksValues = {"whole", "octants"};
 constexpr std::array<std::string_view, 18> kPointersValues = {"word", "8",  "9",  "10", "11", "12",
                                                               "13",   "14", "15", "16", "17", "18",
                                                               "19",   "20", "21", "22", "23", "24"};
-constexpr std::array<std::string_view, 3> kWalkValues = {"stack", "restart", "unrolled"};
-/// One loop for all levels has a stack of its own, and no walks of trees.
-constexpr std::array<AttributeValue, 2> kWalkExcludes = {
+constexpr std::array<std::string_view, 3> kTraversalValues = {"stack", "restart", "unrolled"};
+/// One loop for all levels has a stack of its own, and no traversals of trees.
+constexpr std::array<AttributeValue, 2> kTraversalExcludes = {
     {{&kLevelsAttribute, "flat"}, {&kLevelsAttribute, "direct"}}};
 
 } // namespace
@@ -79,15 +79,15 @@ const TypedAttribute<int> kPointersAttribute = {
      nullptr, "--short-pointers"},
     [](std::size_t value) { return value == 0 ? 0 : static_cast<int>(value) + 7; }};
 
-const TypedAttribute<Counts> kCountsAttribute = {
+const TypedAttribute<VoxelCountsOf> kCountsAttribute = {
     {.name = "counts",
      .effect = AttributeEffect::Storage,
-     .values = kEnumNames<Counts>,
+     .values = kEnumNames<VoxelCountsOf>,
      .summary =
          "which sub-volumes whose numbers stand in a grid of 4 x 4 x 4 have a count of the voxels before "
-         "theirs: each, or the first of each octant of eight, where masks tell the rest",
+         "theirs: each, or the first of each octant of eight, where masks give the rest",
      .needs = &kPointersAttribute},
-    as<Counts>};
+    as<VoxelCountsOf>};
 
 const TypedAttribute<bool> kMasksAttribute = {
     {.name = "masks",
@@ -98,13 +98,13 @@ const TypedAttribute<bool> kMasksAttribute = {
      .needs = &kPointersAttribute},
     isSecond};
 
-const TypedAttribute<Descent> kWalkAttribute = {
-    {.name = "walk",
-     .effect = AttributeEffect::Walk,
-     .values = kWalkValues,
+const TypedAttribute<Descent> kTraversalAttribute = {
+    {.name = "traversal",
+     .effect = AttributeEffect::Traversal,
+     .values = kTraversalValues,
      .summary = "how a lookup finds its node: from the last lookup's ancestors on a stack, from "
                 "the root each time, or by a loop for each height",
-     .excludes = kWalkExcludes},
+     .excludes = kTraversalExcludes},
     [](std::size_t value) { return static_cast<Descent>(value + 2); }};
 
 bool LevelKind::isTree() const {
@@ -113,7 +113,7 @@ bool LevelKind::isTree() const {
 }
 
 bool Level::keepsNodes() const {
-  return kind->isTree() && log2Size() != Int3{} && kindOf(get(kWalkAttribute)).keepsNodes;
+  return kind->isTree() && log2Size() != Int3{} && kindOf(get(kTraversalAttribute)).keepsNodes;
 }
 
 std::span<const LevelKind *const> levelKinds() { return kKinds; }

@@ -13,7 +13,7 @@ constexpr std::array<ParameterKind, 2> kParameters = {{
 }};
 
 constexpr std::array<const AttributeKind *, 4> kAttributes = {&kDedupAttribute, &kMirrorAttribute,
-                                                              &kLeavesAttribute, &kWalkAttribute};
+                                                              &kLeavesAttribute, &kTraversalAttribute};
 
 Stratum lower(const Level &level) {
   // A tree of one cell has no slots.

@@ -9,7 +9,7 @@ constexpr std::array<ParameterKind, 1> kParameters = {{
     {"L", ParameterRole::Side, "depth: log2 of the cells along each axis", 0, kMaxLog2Extent},
 }};
 
-constexpr std::array<const AttributeKind *, 1> kAttributes = {&kWalkAttribute};
+constexpr std::array<const AttributeKind *, 1> kAttributes = {&kTraversalAttribute};
 
 Stratum lower(const Level &level) { return treeStratum(level, "siblings"); }
 

@@ -226,7 +226,7 @@ private:
 
   void tellLeftOut() {
     if (images_ > pages_)
-      warnings.push_back("its description tells of " + std::to_string(images_) + " images, but it has " +
+      warnings.push_back("its description names " + std::to_string(images_) + " images, but it has " +
                          counted(pages_, "page") + "; the others are left out");
     if (leftOut_ > 0)
       warnings.push_back(countedAre(leftOut_, "page") + " left out, as masks or smaller copies of others");

@@ -9,7 +9,7 @@
 namespace voxc {
 namespace {
 
-/// Instructions that cost as much as a branch that is foretold wrongly now and then.
+/// Instructions that cost as much as a branch that is predicted wrongly now and then.
 constexpr std::size_t kSkippedInstructions = 24;
 
 } // namespace

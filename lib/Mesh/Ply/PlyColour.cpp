@@ -109,11 +109,11 @@ std::string PlyColour::warning() const {
   if (!needsLook() || isByte(0))
     return {};
   const PlyType type = element_.properties[*channels_[0]].type;
-  const double usual = !isInteger(type) ? 1 : byteSize(type) == 2 ? 65535 : 255;
+  const double expected = !isInteger(type) ? 1 : byteSize(type) == 2 ? 65535 : 255;
   const double whole = wholeOf(0);
   if (whole == 1 && scales_[0].largest() > 1)
     return "some colours are above 1, and are cut there";
-  return whole == usual
+  return whole == expected
              ? std::string()
              : "the colours of the element '" + element_.name + "' are taken as numbers that count to " +
                    std::to_string(static_cast<std::uint64_t>(whole));

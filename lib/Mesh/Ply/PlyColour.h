@@ -12,7 +12,7 @@
 
 namespace voxc {
 
-/// Finds an element's red, green, blue and alpha, whichever of their usual names they have, and packs those
+/// Finds an element's red, green, blue and alpha, whichever of their common names they have, and packs those
 /// of a row. Numbers count to 1, 255, 65535 or 2^32 - 1: bytes to 255, all others as `look` finds it out.
 class PlyColour {
 public:

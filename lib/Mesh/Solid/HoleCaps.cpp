@@ -39,7 +39,7 @@ HoleCaps HoleCaps::of(std::span<const RimEdge> rims, bool isEither, const MeshMo
     const glm::dvec3 middle = middleOf(loop);
     const glm::dvec3 top = frame.toVoxels(middle);
     for (const LoopEdge &edge : loop) {
-      // The edge is passed back as often as it was passed.
+      // The edge is passed back as often as passed.
       for (const glm::dvec3 &corner : {edge.to, edge.from, middle})
         caps.corners.push_back({corner.x, corner.y, corner.z});
       caps.area +=

@@ -34,7 +34,7 @@ public:
   bool run(Loops &loops) {
     for (std::size_t i = 0; i < edges_.size(); ++i)
       while (!edges_[i].isUsed)
-        if (!walkFrom(edges_[i].corners[0], loops))
+        if (!followFrom(edges_[i].corners[0], loops))
           return false;
     return true;
   }
@@ -77,7 +77,7 @@ private:
     return step.isTurned ? LoopEdge{points[1], points[0]} : LoopEdge{points[0], points[1]};
   }
 
-  bool walkFrom(std::size_t first, Loops &loops) {
+  bool followFrom(std::size_t first, Loops &loops) {
     std::size_t corner = first;
     placeOnWay_[first] = 0;
     do {

@@ -60,7 +60,7 @@ Expected<Inside> insideOf(const Prepared &prepared, const VoxelizeOptions &optio
   if (!shape)
     return shape.error();
   // What lies beyond the volume is no way from one part to another.
-  auto tree = FloodTree::read(**shape, {Step::Face, Beyond::Solid}, means);
+  auto tree = FloodTree::read(**shape, {Step::Face, Outside::Solid}, means);
   if (!tree)
     return tree.error();
   const auto parts = tree->floodEveryPart();
@@ -74,7 +74,7 @@ Expected<Inside> insideOf(const Prepared &prepared, const VoxelizeOptions &optio
           countCrossings(*mesh.scene, mesh.model, cells, *means.memory, means.progress, mesh.roles());
       !counted)
     return counted.error();
-  tree->drain();
+  tree->clearReached();
   for (const CellCrossings &cell : cells.span())
     if (mesh.isInside(cell))
       if (auto flooded = tree->floodFrom(cell.cell); !flooded)

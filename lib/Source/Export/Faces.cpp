@@ -140,11 +140,11 @@ private:
 /// Which faces of a plane make one rectangle.
 enum class Merge { OneColour, AnyColour };
 
-class FaceWalk {
+class FaceTraversal {
 public:
   /// `visit` is given words where rectangles have several colours.
-  FaceWalk(const Volume &volume, Merge merge, const VisitFaces &visit, const Progress &progress,
-           std::unique_ptr<VoxelSource> words)
+  FaceTraversal(const Volume &volume, Merge merge, const VisitFaces &visit, const Progress &progress,
+                std::unique_ptr<VoxelSource> words)
       : volume_(volume), merge_(merge), visit_(visit), progress_(progress), block_(volume, std::move(words)) {
   }
 
@@ -153,23 +153,23 @@ public:
     int log2Side = kLog2Block;
     while (std::int64_t{1} << log2Side < std::max({extent.x, extent.y, extent.z}))
       ++log2Side;
-    return walk({{}, log2Side});
+    return traverse({{}, log2Side});
   }
 
 private:
-  Expected<void> walk(const Cube &cube) {
+  Expected<void> traverse(const Cube &cube) {
     if (isOutside(cube, volume_.info().extent) || isEmpty(cube) || isBuried(cube))
       return {};
     if (cube.log2Side == kLog2Block)
-      return walkBlock(cube.low);
+      return traverseBlock(cube.low);
     const int half = cube.log2Side - 1;
     for (std::uint64_t child = 0; child < 8 && goes_; ++child)
-      if (auto walked = walk({cube.low + mortonCell(child) * (1 << half), half}); !walked)
-        return walked;
+      if (auto traversed = traverse({cube.low + mortonCell(child) * (1 << half), half}); !traversed)
+        return traversed;
     return {};
   }
 
-  Expected<void> walkBlock(Int3 low) {
+  Expected<void> traverseBlock(Int3 low) {
     if (progress_.stopped())
       return Error::interrupted();
     const Expected<bool> hasVoxel = block_.read(low);
@@ -288,12 +288,12 @@ Expected<void> forEachFace(const Volume &volume, const std::function<bool(const 
   const auto visitOne = [&](const FaceRectangle &face, std::span<const std::uint32_t>) {
     return visit(face);
   };
-  return FaceWalk(volume, Merge::OneColour, visitOne, progress, std::move(words)).run();
+  return FaceTraversal(volume, Merge::OneColour, visitOne, progress, std::move(words)).run();
 }
 
 Expected<void> forEachFaceOfAnyColour(const Volume &volume, const VisitFaces &visit, const Progress &progress,
                                       std::unique_ptr<VoxelSource> words) {
-  return FaceWalk(volume, Merge::AnyColour, visit, progress, std::move(words)).run();
+  return FaceTraversal(volume, Merge::AnyColour, visit, progress, std::move(words)).run();
 }
 
 } // namespace voxc

@@ -1,4 +1,4 @@
-// The walk: cubes of the sizes of NanoVDB's nodes, each a tile if it is of one colour, and else divided.
+// The traversal: cubes of the sizes of NanoVDB's nodes, each a tile if it is of one colour, and else divided.
 #include "Source/Export/NanoVdbTree.h"
 
 #include "Source/CubeTools.h"
@@ -20,9 +20,9 @@ ActiveBox boxOf(const Cube &cube) {
   return {cube.low, cube.low + Int3{last, last, last}};
 }
 
-class TreeWalk {
+class TreeTraversal {
 public:
-  TreeWalk(const Volume &volume, const std::shared_ptr<WorkingMemory> &memory, const Progress &progress)
+  TreeTraversal(const Volume &volume, const std::shared_ptr<WorkingMemory> &memory, const Progress &progress)
       : volume_(volume), progress_(progress), tree_(memory),
         source_(makeVolumeSource(std::shared_ptr<const Volume>(std::shared_ptr<void>(), &volume))) {}
 
@@ -31,13 +31,13 @@ public:
     int log2Side = kLog2Upper;
     while (std::int64_t{1} << log2Side < std::max({extent.x, extent.y, extent.z}))
       ++log2Side;
-    if (auto walked = walk({{}, log2Side}); !walked)
-      return walked.error();
+    if (auto traversed = traverse({{}, log2Side}); !traversed)
+      return traversed.error();
     return std::move(tree_);
   }
 
 private:
-  Expected<void> walk(const Cube &cube) {
+  Expected<void> traverse(const Cube &cube) {
     if (source_->empty(cube))
       return {};
     if (progress_.stopped())
@@ -52,8 +52,8 @@ private:
   Expected<void> divide(const Cube &cube) {
     const int half = cube.log2Side - 1;
     for (std::uint64_t child = 0; child < 8; ++child)
-      if (auto walked = walk({cube.low + mortonCell(child) * (1 << half), half}); !walked)
-        return walked;
+      if (auto traversed = traverse({cube.low + mortonCell(child) * (1 << half), half}); !traversed)
+        return traversed;
     return {};
   }
 
@@ -151,7 +151,7 @@ Expected<void> readBrickWithin(VoxelSource &source, Int3 low, std::array<std::ui
 
 Expected<NanoVdbTree> findNanoVdbTree(const Volume &volume, const std::shared_ptr<WorkingMemory> &memory,
                                       const Progress &progress) {
-  return TreeWalk(volume, memory, progress).run();
+  return TreeTraversal(volume, memory, progress).run();
 }
 
 } // namespace voxc

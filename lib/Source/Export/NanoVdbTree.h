@@ -1,4 +1,4 @@
-// What a NanoVDB tree of a volume will consist of, found in one walk over its voxels.
+// What a NanoVDB tree of a volume will consist of, found in one traversal over its voxels.
 #pragma once
 
 #include "voxc/Source/VoxelSource.h"

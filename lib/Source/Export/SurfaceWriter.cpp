@@ -205,8 +205,8 @@ Expected<void> writeSurface(const Volume &volume, OutputFile &file, const Export
     written = surface.add(face, pair.look);
     return bool(written);
   };
-  if (auto walked = forEachFace(volume, add, options.save.progress, voxels.source()); !walked)
-    return walked;
+  if (auto traversed = forEachFace(volume, add, options.save.progress, voxels.source()); !traversed)
+    return traversed;
   if (!written)
     return written;
   exported.rectangles = surface.rectangles();

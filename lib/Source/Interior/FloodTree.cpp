@@ -1,4 +1,4 @@
-// Flooding: cubes that the water has come to wait until it has spread from them.
+// Flood fill: cubes that it has reached wait until it has spread from them.
 #include "Source/Interior/FloodTree.h"
 
 #include "Source/CubeTools.h"
@@ -27,29 +27,29 @@ Slices without(const Slices &a, const Slices &b) {
   return left;
 }
 
-/// The cells of the brick in which one step from `wet` ends, and these themselves.
-Slices grown(const Slices &wet, Step step) {
-  Slices all = wet;
+/// The cells of the brick in which one step from `reached` ends, and these themselves.
+Slices grown(const Slices &reached, Step step) {
+  Slices all = reached;
   for (const int sign : {1, -1}) {
-    Slices moved = wet;
+    Slices moved = reached;
     for (int axis = 0; axis < 3; ++axis)
       if (step == Step::Ray)
         moved = joined(moved, shifted(moved, axis, sign));
       else
-        all = joined(all, shifted(wet, axis, sign));
+        all = joined(all, shifted(reached, axis, sign));
     all = joined(all, moved);
   }
   return all;
 }
 
-/// Calls `visit(direction, cells)` for each brick around one in which a step from `wet` may end, with the
+/// Calls `visit(direction, cells)` for each brick around one in which a step from `reached` may end, with the
 /// cells there. A direction is 0 or one sign on each axis.
-template <typename Visit> void forEachBeyond(const Slices &wet, Step step, Visit visit) {
+template <typename Visit> void forEachNeighbour(const Slices &reached, Step step, Visit visit) {
   for (const int sign : {1, -1})
     for (int axes = 1; axes < 8; ++axes) {
       if (step == Step::Face && (axes & (axes - 1)) != 0)
         continue;
-      Slices cells = wet;
+      Slices cells = reached;
       Int3 direction;
       for (int axis = 0; axis < 3; ++axis) {
         const bool isAcross = (axes >> axis & 1) != 0;
@@ -69,11 +69,11 @@ template <typename Visit> void forEachBeyond(const Slices &wet, Step step, Visit
 void FloodTree::touch(const Region &region) { root_ = touchChild(root_, {}, height_, region); }
 
 std::uint32_t FloodTree::touchChild(std::uint32_t child, Int3 low, int height, const Region &region) {
-  if (error_ || child == kWet)
+  if (error_ || child == kReached)
     return child;
   if (child == kEmpty) {
     check(waiting_.push({low, height, kNoLeaf}));
-    return kWet;
+    return kReached;
   }
   if (child == kFull) {
     // Who goes over faces does not ask which voxels are met.
@@ -120,7 +120,7 @@ void FloodTree::touchLeaf(std::uint32_t number, const Slices &cells) {
   check(waiting_.push({leaf.low, 1, number}));
 }
 
-void FloodTree::spread(const Wet &cube) {
+void FloodTree::spread(const ReachedCube &cube) {
   const Int3 high = cube.low + cellsPerSide(cube.height);
   const Int3 one{1, 1, 1};
   if (step_ == Step::Ray) {
@@ -139,15 +139,15 @@ void FloodTree::spread(const Wet &cube) {
 void FloodTree::spread(std::uint32_t number) {
   Leaf &leaf = leaves_[number];
   leaf.isWaiting = 0;
-  Slices wet = without(leaf.touched, leaf.voxels);
-  for (Slices before{}; wet != before;) {
-    before = wet;
-    leaf.touched = joined(leaf.touched, grown(wet, step_));
-    wet = without(leaf.touched, leaf.voxels);
+  Slices reached = without(leaf.touched, leaf.voxels);
+  for (Slices before{}; reached != before;) {
+    before = reached;
+    leaf.touched = joined(leaf.touched, grown(reached, step_));
+    reached = without(leaf.touched, leaf.voxels);
   }
   const Int3 low = leaf.low;
   const Int3 side = cellsPerSide(height_);
-  forEachBeyond(wet, step_, [&](Int3 direction, const Slices &cells) {
+  forEachNeighbour(reached, step_, [&](Int3 direction, const Slices &cells) {
     const Int3 at = low + direction * 8;
     if (contains(side, at))
       touch({at, at + Int3{8, 8, 8}, &cells});
@@ -156,7 +156,7 @@ void FloodTree::spread(std::uint32_t number) {
 
 Expected<void> FloodTree::run() {
   while (!waiting_.empty() && !isStopped()) {
-    const Wet next = waiting_[waiting_.size() - 1];
+    const ReachedCube next = waiting_[waiting_.size() - 1];
     check(waiting_.resize(waiting_.size() - 1));
     if (next.leaf == kNoLeaf)
       spread(next);
@@ -186,14 +186,14 @@ Expected<void> FloodTree::floodFrom(Int3 cell) {
 
 Expected<ScratchArray<Int3>> FloodTree::floodEveryPart() {
   ScratchArray<Int3> parts(memory_);
-  floodDry(root_, {}, height_, parts);
+  floodUnreached(root_, {}, height_, parts);
   if (error_)
     return *error_;
   return parts;
 }
 
-void FloodTree::floodDry(std::uint32_t child, Int3 low, int height, ScratchArray<Int3> &parts) {
-  if (error_ || child == kWet || child == kFull)
+void FloodTree::floodUnreached(std::uint32_t child, Int3 low, int height, ScratchArray<Int3> &parts) {
+  if (error_ || child == kReached || child == kFull)
     return;
   const auto flood = [&](Int3 cell) {
     check(parts.push(cell));
@@ -203,14 +203,15 @@ void FloodTree::floodDry(std::uint32_t child, Int3 low, int height, ScratchArray
     return flood(low);
   if (height > 1) {
     for (std::uint64_t i = 0; i < 512; ++i)
-      floodDry(nodes_[child - kFirst][i], low + mortonCell(i) * (1 << 3 * (height - 1)), height - 1, parts);
+      floodUnreached(nodes_[child - kFirst][i], low + mortonCell(i) * (1 << 3 * (height - 1)), height - 1,
+                     parts);
     return;
   }
-  const auto dry = [&] {
+  const auto unreached = [&] {
     const Leaf &leaf = leaves_[child - kFirst];
     return toMorton(without(without(cellsBetween({}, {8, 8, 8}), leaf.voxels), leaf.touched));
   };
-  for (MortonBits cells = dry(); isAny(cells) && !error_; cells = dry()) {
+  for (MortonBits cells = unreached(); isAny(cells) && !error_; cells = unreached()) {
     unsigned word = 0;
     while (cells[word] == 0)
       ++word;
@@ -218,12 +219,12 @@ void FloodTree::floodDry(std::uint32_t child, Int3 low, int height, ScratchArray
   }
 }
 
-void FloodTree::drain() {
+void FloodTree::clearReached() {
   for (Node &node : nodes_.span())
-    std::ranges::replace(node, std::uint32_t{kWet}, std::uint32_t{kEmpty});
+    std::ranges::replace(node, std::uint32_t{kReached}, std::uint32_t{kEmpty});
   for (Leaf &leaf : leaves_.span())
     leaf.touched = {};
-  if (root_ == kWet)
+  if (root_ == kReached)
     root_ = kEmpty;
 }
 

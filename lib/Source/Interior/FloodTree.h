@@ -25,25 +25,25 @@ enum class Step : std::uint8_t {
 };
 
 /// What lies outside the extent of a source.
-enum class Beyond : std::uint8_t { Empty, Solid };
+enum class Outside : std::uint8_t { Empty, Solid };
 
 /// How a tree is flooded.
 struct Flood {
   Step step = Step::Face;
-  Beyond beyond = Beyond::Empty;
+  Outside outside = Outside::Empty;
 };
 
 /// Which cells of a flooded tree make a set, and what is counted of them.
 enum class Choice : std::uint8_t {
-  Reached,      ///< Empty cells that the water has reached.
-  Dry,          ///< Empty cells that it has not.
-  DryAndVoxels, ///< These, and the voxels that it has not come to; the voxels are counted.
+  Reached,            ///< Empty cells that the flood fill has reached.
+  Unreached,          ///< Empty cells that it has not.
+  UnreachedAndVoxels, ///< These, and the voxels that it has not come to; the voxels are counted.
 };
 
 /// The cells of a source, empty or voxels, as a tree of 8^3: cubes that are empty or full as a whole are one
 /// child of their node, however large; where both meet there are bricks of 8^3 cells with a bit for each. So
 /// memory follows the surface, and a brick is flooded by shifting words of 64 bits. What is reached depends
-/// on nothing but the voxels and where the water comes from.
+/// on nothing but the voxels and where the flood fill begins.
 class FloodTree {
 public:
   /// Reads all of `source`. Errors: that of a source that fails, interrupted, no memory.
@@ -56,8 +56,8 @@ public:
   /// A cell of each part of the empty cells that is not connected with the others, by `Step`, in Morton
   /// order: all of them are flooded.
   Expected<ScratchArray<Int3>> floodEveryPart();
-  /// Lets the water out.
-  void drain();
+  /// Makes all reached cells empty again.
+  void clearReached();
 
   struct Chosen {
     std::shared_ptr<const CellSet> cells;
@@ -70,18 +70,18 @@ public:
 
 private:
   /// What stands for a child that is no node: the others are kFirst and the index of a node or leaf.
-  enum Child : std::uint32_t { kEmpty, kWet, kFull, kFirst };
+  enum Child : std::uint32_t { kEmpty, kReached, kFull, kFirst };
   using Node = CellSet::Node;
 
   struct Leaf {
     Slices voxels;
-    Slices touched; ///< By the water: reached, or a voxel that it comes to.
+    Slices touched; ///< Reached, or a voxel that the flood fill comes to.
     Int3 low;
     std::uint32_t isWaiting; ///< To be flooded.
   };
 
-  /// A cube of 8^height cells a side that the water has come to: a leaf, or one that is empty.
-  struct Wet {
+  /// A cube of 8^height cells a side that the flood fill has reached: a leaf, or one that is empty.
+  struct ReachedCube {
     Int3 low;
     int height;
     std::uint32_t leaf; ///< Or kNoLeaf.
@@ -104,7 +104,7 @@ private:
   static constexpr int kChunkHeight = 2;
 
   FloodTree(const Flood &flood, std::shared_ptr<WorkingMemory> memory, const Progress &progress)
-      : step_(flood.step), beyond_(flood.beyond), progress_(progress), memory_(std::move(memory)),
+      : step_(flood.step), outside_(flood.outside), progress_(progress), memory_(std::move(memory)),
         nodes_(memory_), leaves_(memory_), waiting_(memory_) {}
 
   // Reading.
@@ -121,9 +121,9 @@ private:
   void touchNode(std::uint32_t node, Int3 low, int height, const Region &region);
   void touchLeaf(std::uint32_t leaf, const Slices &cells);
   Expected<void> run();
-  void spread(const Wet &cube);
+  void spread(const ReachedCube &cube);
   void spread(std::uint32_t leaf);
-  void floodDry(std::uint32_t child, Int3 low, int height, ScratchArray<Int3> &parts);
+  void floodUnreached(std::uint32_t child, Int3 low, int height, ScratchArray<Int3> &parts);
 
   std::uint32_t chooseChild(std::uint32_t child, int height, Choice choice, CellSet &cells,
                             std::uint64_t &count, std::optional<Error> &error) const;
@@ -140,14 +140,14 @@ private:
   bool isStopped();
 
   Step step_;
-  Beyond beyond_;
+  Outside outside_;
   Progress progress_;
   std::shared_ptr<WorkingMemory> memory_;
   Int3 extent_;
   int height_ = 1; ///< Of the root, whose cube has 8^height cells a side.
   ScratchArray<Node> nodes_;
   ScratchArray<Leaf> leaves_;
-  ScratchArray<Wet> waiting_;
+  ScratchArray<ReachedCube> waiting_;
   ScratchArray<Chunk> *chunks_ =
       nullptr; ///< Where to put off chunks while a source is read by several threads.
   std::uint32_t root_ = kEmpty;

@@ -29,9 +29,9 @@ Expected<FloodTree::Chosen> FloodTree::choose(Choice choice) const {
 /// What a child is in the set; counts what is to be counted of it.
 std::uint32_t FloodTree::chooseChild(std::uint32_t child, int height, Choice choice, CellSet &cells,
                                      std::uint64_t &count, std::optional<Error> &error) const {
-  const bool areVoxelsCounted = choice == Choice::DryAndVoxels;
+  const bool areVoxelsCounted = choice == Choice::UnreachedAndVoxels;
   if (child < kFirst) {
-    const bool isChosen = child == kWet     ? choice == Choice::Reached
+    const bool isChosen = child == kReached ? choice == Choice::Reached
                           : child == kEmpty ? choice != Choice::Reached
                                             : areVoxelsCounted;
     if (isChosen && areVoxelsCounted == (child == kFull))
@@ -51,7 +51,7 @@ std::uint32_t FloodTree::chooseChild(std::uint32_t child, int height, Choice cho
     for (std::size_t z = 0; z < 8; ++z) {
       const std::uint64_t voxels = leaf.voxels[z];
       chosen[z] = choice == Choice::Reached ? leaf.touched[z] & ~voxels : ~leaf.touched[z];
-      if (choice == Choice::Dry)
+      if (choice == Choice::Unreached)
         chosen[z] &= ~voxels;
       count += static_cast<std::uint64_t>(std::popcount(areVoxelsCounted ? chosen[z] & voxels : chosen[z]));
     }
@@ -80,7 +80,7 @@ Expected<ScratchArray<BrickCells>> FloodTree::voxels() const {
 
 void FloodTree::listVoxels(std::uint32_t child, const Cube &cube, int height,
                            ScratchArray<BrickCells> &bricks, std::optional<Error> &error) const {
-  if (child == kEmpty || child == kWet || error || isOutside(cube, extent_))
+  if (child == kEmpty || child == kReached || error || isOutside(cube, extent_))
     return;
   if (height > 1) {
     const int log2Child = 3 * (height - 1);

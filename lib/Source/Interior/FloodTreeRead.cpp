@@ -55,7 +55,7 @@ void FloodTree::readChunks(VoxelSource &source, std::span<const Chunk> chunks, u
       const std::lock_guard lock(joining);
       view = source.view();
     }
-    FloodTree part({step_, beyond_}, memory_, progress_.silent());
+    FloodTree part({step_, outside_}, memory_, progress_.silent());
     part.extent_ = extent_;
     for (std::uint64_t i = next++; i < chunks.size(); i = next++) {
       const std::uint32_t child = part.readCube(*view, chunks[i].low, kChunkHeight);
@@ -87,9 +87,9 @@ void FloodTree::join(FloodTree &part, std::uint32_t child, const Chunk &chunk) {
 
 /// Is a cube known to be empty or full before its voxels are read? Then `child` is set.
 bool FloodTree::isWhole(VoxelSource &source, const Cube &cube, std::uint32_t &child) const {
-  const bool isBeyond = beyond_ == Beyond::Solid && isOutside(cube, extent_);
-  child = isBeyond ? kFull : kEmpty;
-  return isBeyond || ((beyond_ == Beyond::Empty || isInside(cube, extent_)) && source.empty(cube));
+  const bool isTakenAsFull = outside_ == Outside::Solid && isOutside(cube, extent_);
+  child = isTakenAsFull ? kFull : kEmpty;
+  return isTakenAsFull || ((outside_ == Outside::Empty || isInside(cube, extent_)) && source.empty(cube));
 }
 
 std::uint32_t FloodTree::readCube(VoxelSource &source, Int3 low, int height) {
@@ -139,7 +139,7 @@ std::uint32_t FloodTree::readBrick(VoxelSource &source, Int3 low) {
   check(source.read(cube, words.data()));
   if (error_)
     return kEmpty;
-  if (beyond_ == Beyond::Solid && !isInside(cube, extent_))
+  if (outside_ == Outside::Solid && !isInside(cube, extent_))
     forEachCell(cube, [&](std::uint64_t index, Int3 cell) {
       if (!contains(extent_, cell))
         words[index] = 1;

@@ -1,4 +1,4 @@
-// Dropping and filling what the water does not reach.
+// Dropping and filling what a flood fill from outside does not reach.
 #include "voxc/Source/Interior.h"
 
 #include "Source/Interior/FloodTree.h"
@@ -10,32 +10,32 @@ namespace voxc {
 
 namespace {
 
-/// The source with `word` in what stays dry when all is flooded from outside.
-Expected<ChangedSource> paintDry(std::unique_ptr<VoxelSource> source, Step step, Choice choice,
-                                 std::uint32_t word, const InteriorOptions &options) {
-  auto tree = FloodTree::read(*source, {step, Beyond::Empty}, options);
+/// The source with `word` in what a flood fill from outside does not reach.
+Expected<ChangedSource> fillUnreached(std::unique_ptr<VoxelSource> source, Step step, Choice choice,
+                                      std::uint32_t word, const InteriorOptions &options) {
+  auto tree = FloodTree::read(*source, {step, Outside::Empty}, options);
   if (!tree)
     return tree.error();
   if (auto flooded = tree->floodFromOutside(); !flooded)
     return flooded.error();
-  auto dry = tree->choose(choice);
-  if (!dry)
-    return dry.error();
+  auto unreached = tree->choose(choice);
+  if (!unreached)
+    return unreached.error();
   // Nothing is asked in vain where nothing changes.
-  if (dry->count == 0)
+  if (unreached->count == 0)
     return ChangedSource{std::move(source), 0};
-  return ChangedSource{paint(std::move(source), std::move(dry->cells), word), dry->count};
+  return ChangedSource{paint(std::move(source), std::move(unreached->cells), word), unreached->count};
 }
 
 } // namespace
 
 Expected<ChangedSource> dropInterior(std::unique_ptr<VoxelSource> source, const InteriorOptions &options) {
-  return paintDry(std::move(source), Step::Ray, Choice::DryAndVoxels, 0, options);
+  return fillUnreached(std::move(source), Step::Ray, Choice::UnreachedAndVoxels, 0, options);
 }
 
 Expected<ChangedSource> fillInterior(std::unique_ptr<VoxelSource> source, std::uint32_t word,
                                      const InteriorOptions &options) {
-  return paintDry(std::move(source), Step::Face, Choice::Dry, word, options);
+  return fillUnreached(std::move(source), Step::Face, Choice::Unreached, word, options);
 }
 
 } // namespace voxc

@@ -19,14 +19,14 @@ uint cell_level(uint grid, ivec3 cell) {
   return is_full ? value_level(grid, cell) : 0u;
 }
 
-// True if a cell is full. Else the gap is as wide as the aligned group of eight cells around it, if they are all empty, or
+// True if a cell is full. Else the empty span is as wide as the aligned group of eight cells around it, if they are all empty, or
 // as the grid, if no cell is full that the ray may still come to.
-bool is_full_level(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+bool is_full_level(const Ray ray, uint grid, ivec3 cell, inout EmptySpan span) {
   int number = number_level(cell);
   if (LEVEL_LAST) {
     // Half of the mask tells of the group. To know more of four voxels a side takes longer than the steps that it would save.
     uint half_mask = load_word_at(grid, uint(number >> 5));
-    gap.log2_side += (half_mask >> (number & 10) & 0x00330033u) == 0u ? 1 : 0;
+    span.log2_side += (half_mask >> (number & 10) & 0x00330033u) == 0u ? 1 : 0;
     return (half_mask >> (number & 31) & 1u) != 0u;
   }
   uint low = load_word(grid);
@@ -42,17 +42,17 @@ bool is_full_level(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
   uint low_ahead = plane * (sides.z & 1u | (sides.z & 2u) << 15);
   uint high_ahead = plane * (sides.z >> 2 & 1u | (sides.z & 8u) << 13);
   around = ((low & low_ahead) | (high & high_ahead)) == 0u ? 2 : around;
-  gap.log2_side += around;
+  span.log2_side += around;
   return (half_mask >> (number & 31) & 1u) != 0u;
 }
 
 // The same, and the value of a cell that is full; 0 of one that is not.
-uint look_up_level(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+uint look_up_level(const Ray ray, uint grid, ivec3 cell, inout EmptySpan span) {
   if (LEVEL_DEFERS)
-    return is_full_level(ray, grid, cell, gap) ? grid : 0u; // Its value is looked up once it is hit.
+    return is_full_level(ray, grid, cell, span) ? grid : 0u; // Its value is looked up once it is hit.
   if (LEVEL_IMPLIED)
-    return is_full_level(ray, grid, cell, gap) ? OCCUPIED : 0u;
-  return is_full_level(ray, grid, cell, gap) ? value_level(grid, cell) : 0u;
+    return is_full_level(ray, grid, cell, span) ? OCCUPIED : 0u;
+  return is_full_level(ray, grid, cell, span) ? value_level(grid, cell) : 0u;
 }
 
 // The first value of the grid.

@@ -1,4 +1,4 @@
-// False of an empty cell, where a walk may stop that takes what is around for one.
+// False of an empty cell, where a traversal may stop that takes what is around for one.
 bool is_there_level(uint grid, ivec3 cell) {
   ivec3 at = cell & ((ivec3(1) << LEVEL_LOG2_SIZE) - 1);
   uint number = uint(at.x + ((at.y + (at.z << LEVEL_LOG2_SIZE.y)) << LEVEL_LOG2_SIZE.x));

@@ -1,4 +1,4 @@
-"""Takes what was foretold out of the records of a search, and breaks the figures beside its volumes."""
+"""Takes what was predicted out of the records of a search, and breaks the figures beside its volumes."""
 import glob
 import json
 import os

@@ -1,5 +1,5 @@
 """A printed command is a promise: runs what suggest, search and the records of a search print for an input of each kind, and
-compares the bytes that were foretold with those that come out.
+compares the bytes that were predicted with those that come out.
 
 promises.py VOXC FOLDER
 """
@@ -40,10 +40,10 @@ def last_command(text):
     return re.findall(r"^voxc build .*$", text, re.M)[-1]
 
 
-def check(name, foretold, command):
+def check(name, predicted, command):
     found, _ = build(command)
-    if found != foretold:
-        sys.exit(f"{name}: `{command}` makes {found} bytes, and {foretold} were foretold")
+    if found != predicted:
+        sys.exit(f"{name}: `{command}` makes {found} bytes, and {predicted} were predicted")
 
 
 for name in inputs(folder, run):

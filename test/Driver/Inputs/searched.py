@@ -9,7 +9,7 @@ voxc, report, stats, folder = sys.argv[1:]
 records = [json.loads(line) for line in open(os.path.join(folder, "results.jsonl"))]
 assert records and all(record["status"] == "measured" for record in records)
 differ = [record for record in records if record["volume"]["words"] != record["predicted"]["words"]]
-print("words as foretold" if not differ else differ[0])
+print("words as predicted" if not differ else differ[0])
 
 command = shlex.split([line for line in open(report) if line.startswith("voxc build")][-1])
 scene = os.path.join(folder, "scene.hvx")

@@ -1,4 +1,4 @@
-"""suggested.py VOXC REPORT STATS VOLUME: builds what a report says, and compares the words with those foretold."""
+"""suggested.py VOXC REPORT STATS VOLUME: builds what a report says, and compares the words with those predicted."""
 import json
 import shlex
 import struct
@@ -12,4 +12,4 @@ command[command.index("scene.hvx")] = volume
 built = subprocess.run([*command, "--quiet", "--stats", "-"], check=True, capture_output=True, text=True)
 chosen = next(f for f in json.load(open(stats))["formats"] if f["chosen"])
 words = json.loads(built.stdout)["words"]
-print("words as foretold" if words == chosen["words"] else f"{words} words, {chosen['words']} foretold")
+print("words as predicted" if words == chosen["words"] else f"{words} words, {chosen['words']} predicted")

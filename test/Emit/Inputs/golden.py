@@ -23,7 +23,7 @@ FORMATS = [
      "--values-apart --short-pointers=12 --octant-counts --octant-masks", ""),
     ("hashed", "S(5) H(2^3)", "", ""),
     ("unrolled-wide", "G(4,2) G(2)", "--unroll-sv --values-apart", ""),
-    ("flat", "S(4) G(5)", "--flat-walk", "--shared-stack"),
+    ("flat", "S(4) G(5)", "--flat-traversal", "--shared-stack"),
     ("mirrored", "G(9)", "--occupancy --mirror", ""),
     ("granules", "R(3^3) R(3^3)", "--granules", "--outputs voxel,t,colour,face"),
     ("cone", "R(3^3) M(2^3)", "", "--detail cone"),

@@ -36,7 +36,7 @@ class Screen:
         data = self.bytes()
         return b"".join(data[y * self.stride : y * self.stride + 4 * 360] for y in range(self.height))
 
-    def settled(self, before=None):
+    def still_picture(self, before=None):
         """The picture, once it is not `before` any more and has stayed the same for a moment."""
         end = time.monotonic() + PATIENCE
         last = None

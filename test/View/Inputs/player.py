@@ -12,7 +12,7 @@ COMMON = ["--device", device, "--samples", "1", "--camera", "40,25,45:12,4,10", 
 def finest(viewer, before=None):
     viewer.wait("^shown .*, the finest")
     viewer.rest()
-    return viewer.screen.settled(before)
+    return viewer.screen.still_picture(before)
 
 
 def alone(frame):
@@ -27,7 +27,7 @@ with Viewer([voxc, "view", volume, "--fps", "20", *COMMON], (800, 600)) as viewe
 
     def shows(frame):
         viewer.wait("^shown .*, the finest")
-        print("shown:", "as alone" if viewer.screen.settled() == frames[frame] else "otherwise")
+        print("shown:", "as alone" if viewer.screen.still_picture() == frames[frame] else "otherwise")
 
     viewer.focus()
     first = finest(viewer)

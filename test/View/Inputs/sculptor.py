@@ -13,7 +13,7 @@ voxc, volume, device, folder = sys.argv[1:]
 def finest(viewer, before=None):
     viewer.wait("^shown .*, the finest")
     viewer.rest()
-    return viewer.screen.settled(before)
+    return viewer.screen.still_picture(before)
 
 
 def calm(viewer, before):
@@ -23,7 +23,7 @@ def calm(viewer, before):
     while told != os.path.getsize(viewer.log):
         told = os.path.getsize(viewer.log)
         time.sleep(1)
-    return viewer.screen.settled(before)
+    return viewer.screen.still_picture(before)
 
 
 def brush(viewer, key):

@@ -37,17 +37,17 @@ def finest(viewer, before=None):
     """What the screen shows when the picture is fine, and not `before` any more."""
     viewer.wait("^shown .*, the finest")
     viewer.rest()
-    return viewer.screen.settled(before)
+    return viewer.screen.still_picture(before)
 
 
 def fits(viewer):
     """Whether the panel has room for all of its text: further frames, which a key brings that changes nothing of it, show the same."""
-    settled = viewer.screen.settled()
+    settled = viewer.screen.still_picture()
     before = viewer.screen.panel()
     viewer.key("F1")
-    shown = viewer.screen.settled(settled)
+    shown = viewer.screen.still_picture(settled)
     viewer.key("F1")
-    viewer.screen.settled(shown)
+    viewer.screen.still_picture(shown)
     return "the panel fits" if viewer.screen.panel() == before else "the panel is cut off"
 
 
@@ -61,19 +61,19 @@ def leave(viewer):
     camera(viewer)
     step("leave the text", "the window stays")
     viewer.rest()
-    before = viewer.screen.settled()
+    before = viewer.screen.still_picture()
     viewer.key("F1")
-    step("keys", "shown" if viewer.screen.settled(before) else "not shown")
+    step("keys", "shown" if viewer.screen.still_picture(before) else "not shown")
     viewer.screen.save(os.path.join(folder, "help.png"))
     viewer.key("Escape")
-    step("leave the keys", "hidden" if viewer.screen.settled() == before else "still shown")
+    step("leave the keys", "hidden" if viewer.screen.still_picture() == before else "still shown")
     viewer.key("Escape")
-    asked = viewer.screen.settled(before)
+    asked = viewer.screen.still_picture(before)
     viewer.screen.save(os.path.join(folder, "close.png"))
     viewer.key("c")
-    step("leave, and go on", "the window stays" if asked and viewer.screen.settled(asked) == before else "not asked")
+    step("leave, and go on", "the window stays" if asked and viewer.screen.still_picture(asked) == before else "not asked")
     viewer.key("Escape")
-    viewer.screen.settled(before)
+    viewer.screen.still_picture(before)
     viewer.key("Escape")
     step("close", "exit code %d" % viewer.end())
 
@@ -85,7 +85,7 @@ def move(viewer):
     moves += [("drag", lambda: viewer.drag(500, 300, 560, 330))]
     moves += [("drag by the right button", lambda: viewer.drag(500, 300, 540, 280, 3))]
     moves += [("wheel", lambda: viewer.click(500, 300, 4))]
-    home, shown = camera(viewer), viewer.screen.settled()
+    home, shown = camera(viewer), viewer.screen.still_picture()
     last = home
     for name, act in moves:
         act()
@@ -127,7 +127,7 @@ def look(viewer, folder):
 def switch(viewer, folder):
     """Other formats and devices show the same voxels; what cannot be loaded changes nothing."""
     viewer.rest()
-    before = viewer.screen.settled()
+    before = viewer.screen.still_picture()
 
     def told():
         return "the same picture" if finest(viewer) == before else "another picture"

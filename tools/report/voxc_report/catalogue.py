@@ -6,7 +6,7 @@ from typing import NamedTuple, Optional
 from .devices import device_names
 from .formats import Look, look_of
 from .frontier import Place, Standing, standings
-from .passes import pass_difference, usual_passes
+from .passes import pass_difference, common_passes
 from .records import is_measured, rays_title
 from .speeds import Speed, counts_own_time, speed_of
 
@@ -93,7 +93,7 @@ class Stage:
     """One competition: formats, each with its passes, on the same model, rays, device, resolution and precision."""
     number: int  # In the order of the catalogue.
     entries: list
-    usual_passes: list  # Those of most cells of this resolution, which names do not say.
+    common_passes: list  # Those of most cells of this resolution, which names do not say.
 
     def __post_init__(self):
         first = self.entries[0]
@@ -168,31 +168,31 @@ def name_columns(entries):
         entry.column = f"{entry.model}, {rays_title(entry.record['rays'])}" if has_several else entry.model
 
 
-def usual_passes_of(entries):
-    """The usual passes of each resolution, so that a name is the same on all models and devices."""
+def common_passes_of(entries):
+    """The most common passes of each resolution, so that a name is the same on all models and devices."""
     lists = {}
     for entry in entries:
         of_resolution = lists.setdefault(entry.resolution, [])
         if entry.is_measured:
             of_resolution.append(entry.passes)
-    return {resolution: usual_passes(passes) for resolution, passes in lists.items()}
+    return {resolution: common_passes(passes) for resolution, passes in lists.items()}
 
 
 def name_entries(entries):
     """Names that tell formats with their passes apart."""
-    usual, variants = usual_passes_of(entries), {}
+    common, variants = common_passes_of(entries), {}
     for entry in entries:
-        entry.name = entry.look.name + pass_difference(entry.passes, usual[entry.resolution])
+        entry.name = entry.look.name + pass_difference(entry.passes, common[entry.resolution])
         entry.variant = variants.setdefault((entry.look.name, *sorted(entry.passes)), len(variants))
 
 
 def make_stages(catalogue):
-    usual, groups = usual_passes_of(catalogue.entries), {}
+    common, groups = common_passes_of(catalogue.entries), {}
     for entry in catalogue.entries:
         key = (catalogue.models.index(entry.model), catalogue.columns.index(entry.column), -entry.resolution,
                catalogue.devices.index(entry.device), entry.precision, entry.has_clock)
         groups.setdefault(key, []).append(entry)
-    return [Stage(number, groups[key], usual[-key[2]]) for number, key in enumerate(sorted(groups))]
+    return [Stage(number, groups[key], common[-key[2]]) for number, key in enumerate(sorted(groups))]
 
 
 def rank_others(others, leaders):

@@ -29,12 +29,12 @@ class Level:
     @property
     def text(self):
         """"R(4³)", "D(4³, 6)", "R(4, 4, 5)", "G(7)"."""
-        _, names, usual = KINDS[self.kind]
+        _, names, defaults = KINDS[self.kind]
         sizes = [self.parameters[name] for name in names[:3]]
         words = []
         if not self.is_tree and sizes == 3 * sizes[:1]:
             words, names = [f"{sizes[0]}³"], names[3:]
-        words += [str(self.parameters[name]) for name in names if self.parameters[name] != usual.get(name)]
+        words += [str(self.parameters[name]) for name in names if self.parameters[name] != defaults.get(name)]
         return f"{self.kind}({', '.join(words)})"
 
 
@@ -56,10 +56,10 @@ def parse_level(letter, text):
     numbers = parse_arguments(text)
     if letter not in KINDS or numbers is None:
         return None
-    _, names, usual = KINDS[letter]
-    if len(numbers) > len(names) or any(name not in usual for name in names[len(numbers):]):
+    _, names, defaults = KINDS[letter]
+    if len(numbers) > len(names) or any(name not in defaults for name in names[len(numbers):]):
         return None
-    return Level(letter, {**usual, **dict(zip(names, numbers))})
+    return Level(letter, {**defaults, **dict(zip(names, numbers))})
 
 
 def parse(text):

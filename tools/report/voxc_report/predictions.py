@@ -1,4 +1,4 @@
-"""How well what a search foretold came true."""
+"""How well what a search predicted came true."""
 import statistics
 from typing import NamedTuple
 
@@ -7,19 +7,19 @@ from .speeds import MOST_SPEED
 
 
 class Prediction(NamedTuple):
-    """A speed that was foretold and measured, both in what the device counts."""
+    """A speed that was predicted and measured, both in what the device counts."""
     entry: Entry
-    foretold: float
+    predicted: float
     measured: float
 
     @property
     def error(self):
         """By what share of the measured speed the other one is off."""
-        return abs(self.foretold - self.measured) / self.measured
+        return abs(self.predicted - self.measured) / self.measured
 
 
 class Words(NamedTuple):
-    """Sizes that were foretold and built."""
+    """Sizes that were predicted and built."""
     all: int
     exact: int
     worst: int  # The largest difference in words.
@@ -27,8 +27,8 @@ class Words(NamedTuple):
 
 def predictions_of(stage):
     """Those of a stage, in the order of its entries."""
-    foretold = [(entry, entry.record.get("predicted", {}).get("mrays_per_s", 0)) for entry in stage.points]
-    return [Prediction(entry, speed, entry.speed.median) for entry, speed in foretold if 0 < speed < MOST_SPEED]
+    predicted = [(entry, entry.record.get("predicted", {}).get("mrays_per_s", 0)) for entry in stage.points]
+    return [Prediction(entry, speed, entry.speed.median) for entry, speed in predicted if 0 < speed < MOST_SPEED]
 
 
 def median_error(predictions):
@@ -45,11 +45,11 @@ def ranks(values):
 
 def rank_correlation(predictions):
     """Spearman's: 1 if the order came true. None if either side has fewer than two different values."""
-    foretold = ranks([prediction.foretold for prediction in predictions])
+    predicted = ranks([prediction.predicted for prediction in predictions])
     measured = ranks([prediction.measured for prediction in predictions])
-    if len(set(foretold)) < 2 or len(set(measured)) < 2:
+    if len(set(predicted)) < 2 or len(set(measured)) < 2:
         return None
-    return statistics.correlation(foretold, measured)
+    return statistics.correlation(predicted, measured)
 
 
 def word_predictions_of(stage):

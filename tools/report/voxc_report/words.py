@@ -78,7 +78,7 @@ def stage_title(stage):
     return f"{resolution_title(stage)} on {stage.device}" + (f", {stage.precision} steps" if stage.precision else "")
 
 
-def usual_words(passes, has_others):
+def common_words(passes, has_others):
     """The passes of most cells, and whether names say of others."""
     return (pass_list(passes) or "no passes") + (", unless a name says otherwise" if has_others else "")
 
@@ -87,7 +87,7 @@ def stage_conditions(stage):
     """"1,440,000 rays of camera inside; whole-level-dedup, unless a name says otherwise"."""
     rays = stage.entries[0].record["rays"]
     camera = f" of camera {rays['name']}" if rays["kind"] == "camera" else ""
-    return f"{count_text(rays['count'])} rays{camera}; {usual_words(stage.usual_passes, stage.has_other_passes)}"
+    return f"{count_text(rays['count'])} rays{camera}; {common_words(stage.common_passes, stage.has_other_passes)}"
 
 
 def error_summary(entries):

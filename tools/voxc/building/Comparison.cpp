@@ -1,4 +1,4 @@
-// A walk over two sources at once, in Morton order, that leaves out what is empty in both.
+// A traversal over two sources at once, in Morton order, that leaves out what is empty in both.
 #include "building/Comparison.h"
 
 #include <algorithm>

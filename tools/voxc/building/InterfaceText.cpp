@@ -36,7 +36,7 @@ Json constant(const KernelConstant &constant) {
   return {{"id", constant.id},
           {"name", constant.name},
           {"type", constant.type},
-          {"default", Json::parse(constant.usual)}};
+          {"default", Json::parse(constant.defaultValue)}};
 }
 
 template <typename Items, typename Describe> Json list(const Items &items, Describe describe) {

@@ -8,7 +8,7 @@
 
 namespace voxc::tool {
 
-/// "G(7) M(2^3) with short pointers, direct-walk": what sets it apart from other candidates of a scene.
+/// "G(7) M(2^3) with short pointers, direct-traversal": what sets it apart from other candidates of a scene.
 std::string nameOf(const Candidate &candidate);
 
 /// "voxc build 'G(9)' scene.ply --resolution=512 --whole-level-dedup -o scene.hvx".

@@ -1,7 +1,7 @@
 // The facts of a source as JSON.
 #include "choosing/FactsFigures.h"
 
-#include "voxc/Facts/Conclusions.h"
+#include "voxc/Facts/Recommendations.h"
 
 #include <array>
 
@@ -60,10 +60,10 @@ Json repetitionFigures(const std::vector<RepetitionFacts> &repetition) {
   return rows;
 }
 
-Json conclusionFigures(const Facts &facts) {
+Json recommendationFigures(const Facts &facts) {
   Json rows = Json::array();
-  for (const Conclusion &conclusion : conclude(facts))
-    rows.push_back({{"rule", conclusion.rule}, {"text", conclusion.text}});
+  for (const Recommendation &recommendation : recommend(facts))
+    rows.push_back({{"rule", recommendation.rule}, {"text", recommendation.text}});
   return rows;
 }
 
@@ -80,7 +80,7 @@ Json factsFigures(const Facts &facts) {
           {"regions", {{"log2_side", facts.regions.log2Side}, {"voxels", facts.regions.voxels}}},
           {"colours", colourFigures(facts.colours)},
           {"repetition", repetitionFigures(facts.repetition)},
-          {"conclusions", conclusionFigures(facts)}};
+          {"recommendations", recommendationFigures(facts)}};
 }
 
 } // namespace voxc::tool

@@ -1,7 +1,7 @@
 // The facts of a source as lines and tables.
 #include "choosing/FactsFigures.h"
 
-#include "voxc/Facts/Conclusions.h"
+#include "voxc/Facts/Recommendations.h"
 
 #include <algorithm>
 #include <array>
@@ -118,8 +118,8 @@ std::string factsReport(const Facts &facts) {
     printHeights(report, facts);
   }
   report.print("\nWhat follows\n");
-  for (const Conclusion &conclusion : conclude(facts))
-    report.print("  - %s\n", conclusion.text.c_str());
+  for (const Recommendation &recommendation : recommend(facts))
+    report.print("  - %s\n", recommendation.text.c_str());
   return report.take();
 }
 

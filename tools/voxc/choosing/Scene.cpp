@@ -120,7 +120,7 @@ Expected<std::vector<Candidate>> readCandidates(const std::string &list, const S
 
 namespace {
 
-int log2SideOf(const Candidate &candidate) { return longest(candidate.format.log2Extent()); }
+int log2SideOf(const Candidate &candidate) { return maxComponent(candidate.format.log2Extent()); }
 
 std::string sideText(int log2Side) { return std::to_string(std::uint64_t{1} << log2Side); }
 

@@ -6,7 +6,7 @@
 #include "options/BuildFigures.h"
 #include "options/InputArguments.h"
 #include "voxc/Search/Candidate.h"
-#include "voxc/Search/Rater.h"
+#include "voxc/Search/FormatPredictor.h"
 #include "voxc/Search/SceneDag.h"
 #include "voxc/Support/Progress.h"
 #include "voxc/Support/Transform.h"
@@ -31,7 +31,7 @@ struct Scene {
   CandidateTraits traits;
   ToldSentences told; ///< Of the input.
 
-  PricedScene priced() const { return {shape, colours ? &*colours : nullptr, valueWords}; }
+  ModelledScene priced() const { return {shape, colours ? &*colours : nullptr, valueWords}; }
 };
 
 /// Reads an input, twice if its colours are more than the memory holds. Figures of reading are added. Errors:
@@ -52,8 +52,8 @@ void noteOtherSizes(const std::vector<Candidate> &candidates, const Scene &scene
                     const CommonOptions &common);
 
 /// Of each kind: more do not change which format it is.
-inline constexpr std::size_t kReplayedRays = 4096;
+inline constexpr std::size_t kSimulatedRays = 4096;
 /// Of each kind, among which those are chosen.
-inline constexpr std::size_t kConsideredRays = 8 * kReplayedRays;
+inline constexpr std::size_t kConsideredRays = 8 * kSimulatedRays;
 
 } // namespace voxc::tool

@@ -2,8 +2,8 @@
 #include "choosing/SuggestReport.h"
 
 #include "choosing/BuildCommand.h"
-#include "choosing/KeptWeights.h"
-#include "choosing/RatedFigures.h"
+#include "choosing/PredictionFigures.h"
+#include "choosing/SavedWeights.h"
 
 #include <algorithm>
 #include <array>
@@ -25,7 +25,7 @@ double mebibytes(std::uint64_t bytes) { return static_cast<double>(bytes) / (1 <
 /// Millions of rays a second.
 double speed(double nanoseconds) { return 1000 / nanoseconds; }
 
-std::string speedsOf(const Suggestion &suggestion, const RatedFormat &format) {
+std::string speedsOf(const Suggestion &suggestion, const PredictedFormat &format) {
   std::string text;
   for (std::size_t i = 0; i < suggestion.rays.size(); ++i)
     text +=
@@ -34,7 +34,7 @@ std::string speedsOf(const Suggestion &suggestion, const RatedFormat &format) {
 }
 
 /// What another format has more and less of.
-std::string besides(const char *what, const RatedFormat &other, const RatedFormat &choice) {
+std::string besides(const char *what, const PredictedFormat &other, const PredictedFormat &choice) {
   return print("  the %s, %s, would take %.2f times the bytes and have %.2f times the speed\n", what,
                nameOf(other.candidate).c_str(),
                static_cast<double>(other.bytes()) / static_cast<double>(choice.bytes()),
@@ -42,21 +42,21 @@ std::string besides(const char *what, const RatedFormat &other, const RatedForma
 }
 
 std::string table(const Suggestion &suggestion) {
-  std::vector<const RatedFormat *> frontier;
+  std::vector<const PredictedFormat *> frontier;
   const std::vector<bool> marks = frontierOf(suggestion.rated);
   for (std::size_t i = 0; i < marks.size(); ++i)
     if (marks[i])
       frontier.push_back(&suggestion.rated[i]);
-  std::ranges::sort(frontier, {}, &RatedFormat::bytes);
+  std::ranges::sort(frontier, {}, &PredictedFormat::bytes);
   std::string text = "\n         MiB  speed\n";
-  for (const RatedFormat *format : frontier)
+  for (const PredictedFormat *format : frontier)
     text += print("  %10.3f  %-40s ", mebibytes(format->bytes()), speedsOf(suggestion, *format).c_str()) +
             nameOf(format->candidate) + "\n";
   return text;
 }
 
 /// Of a format whose colours stand apart from its levels, or are one: ", of which 20 % are colours".
-std::string shareOfColours(const Suggestion &suggestion, const RatedFormat &format) {
+std::string shareOfColours(const Suggestion &suggestion, const PredictedFormat &format) {
   const Layout layout = layoutOf(format.candidate.format);
   if (!layout.ranksVoxels() && !layout.hasOneColour())
     return "";
@@ -67,8 +67,8 @@ std::string shareOfColours(const Suggestion &suggestion, const RatedFormat &form
 /// How far off speeds may be, and how that is mended.
 std::string trustIn(const Suggestion &suggestion) {
   if (suggestion.areSpeedsMeasured)
-    return "speeds are foretold by what a search measured on this machine\n";
-  return print("speeds are foretold from another machine's, and were up to %.1f times off\n  to measure on "
+    return "speeds are predicted by what a search measured on this machine\n";
+  return print("speeds are predicted from another machine's, and were up to %.1f times off\n  to measure on "
                "this machine: ",
                kWorstUnmeasured) +
          searchCommand(suggestion.input, suggestion.arguments, suggestion.device) + "\n";
@@ -77,9 +77,9 @@ std::string trustIn(const Suggestion &suggestion) {
 } // namespace
 
 std::string suggestReport(const Suggestion &suggestion, bool all) {
-  const RatedFormat &choice = suggestion.rated[*suggestion.choice];
-  const auto fastest = std::ranges::min_element(suggestion.rated, {}, &RatedFormat::time);
-  const auto smallest = std::ranges::min_element(suggestion.rated, {}, &RatedFormat::bytes);
+  const PredictedFormat &choice = suggestion.rated[*suggestion.choice];
+  const auto fastest = std::ranges::min_element(suggestion.rated, {}, &PredictedFormat::time);
+  const auto smallest = std::ranges::min_element(suggestion.rated, {}, &PredictedFormat::bytes);
   std::string text = nameOf(choice.candidate) + "\n";
   text += print("  %.3f MiB, %.2f bits a voxel%s; about %s on one core (%s)\n", mebibytes(choice.bytes()),
                 8 * static_cast<double>(choice.bytes()) / static_cast<double>(suggestion.voxels),
@@ -105,7 +105,7 @@ void addSuggestFigures(Json &figures, const Suggestion &suggestion) {
   const std::vector<bool> frontier = frontierOf(suggestion.rated);
   Json formats = Json::array();
   for (std::size_t i = 0; i < suggestion.rated.size(); ++i) {
-    Json entry = ratedFigures(suggestion.rated[i], suggestion.rays);
+    Json entry = predictionFigures(suggestion.rated[i], suggestion.rays);
     entry["frontier"] = bool(frontier[i]);
     entry["chosen"] = i == *suggestion.choice;
     formats.push_back(std::move(entry));

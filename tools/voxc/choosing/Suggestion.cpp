@@ -1,7 +1,7 @@
 // Suggesting a format.
 #include "choosing/Suggestion.h"
 
-#include "choosing/KeptWeights.h"
+#include "choosing/SavedWeights.h"
 
 #include "common/Files.h"
 #include "voxc/Search/SampleRays.h"
@@ -13,10 +13,10 @@ namespace voxc::tool {
 
 namespace {
 
-/// A picture in which neighbours are as close as in one of the usual size, and packets lie everywhere.
+/// A picture in which neighbours are as close as in one of the default size, and packets lie everywhere.
 constexpr int kWidth = 1280;
 constexpr int kHeight = 720;
-/// Rays that bounce, of which some are replayed: as many as make bins of neighbours.
+/// Rays that bounce, of which some are simulated: as many as make bins of neighbours.
 constexpr std::size_t kBounces = std::size_t{1} << 17;
 
 Expected<std::vector<RaySet>> makeRays(const SuggestRequest &request, const Scene &scene) {
@@ -26,9 +26,9 @@ Expected<std::vector<RaySet>> makeRays(const SuggestRequest &request, const Scen
     Expected<std::vector<Ray>> rays = readRays(path);
     if (!rays)
       return rays.error();
-    if (rays->size() < kReplayPacket)
+    if (rays->size() < kSimulatedPacket)
       return Error::input("'" + path + "' has " + std::to_string(rays->size()) + " rays; " +
-                          std::to_string(kReplayPacket) + " or more tell what a packet costs");
+                          std::to_string(kSimulatedPacket) + " or more show what a packet costs");
     sets.push_back(samplePackets(path, std::move(*rays), kConsideredRays, edge, RayOrder::Auto));
   }
   if (sets.empty()) {
@@ -38,7 +38,7 @@ Expected<std::vector<RaySet>> makeRays(const SuggestRequest &request, const Scen
       sets.push_back(samplePackets("bounced", std::move(bounces), kConsideredRays, edge, RayOrder::Auto));
   }
   for (RaySet &set : sets)
-    set = typicalPackets(scene.shape, set, kReplayedRays);
+    set = typicalPackets(scene.shape, set, kSimulatedRays);
   return sets;
 }
 
@@ -71,7 +71,7 @@ Expected<Suggestion> makeSuggestion(const SuggestRequest &request, const CommonO
   const KnownSpeeds speeds = knownSpeedsOf(request.device);
   suggestion.areSpeedsMeasured = speeds.isMeasured;
   auto rated =
-      rateFormats(scene->priced(), std::move(*candidates), *rays, speeds.model, request.wish, progress);
+      predictFormats(scene->priced(), std::move(*candidates), *rays, speeds.model, request.wish, progress);
   figures["rate_seconds"] = watch.seconds();
   if (!rated)
     return rated.error();

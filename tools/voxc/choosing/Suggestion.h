@@ -15,7 +15,7 @@ namespace voxc::tool {
 
 struct SuggestRequest {
   std::string input;
-  InputArguments arguments; ///< Without a resolution it is the usual one.
+  InputArguments arguments; ///< Without a resolution it is the default.
   Wish wish;
   bool editable = false; ///< Only formats that can be edited in place.
   std::string device = "cpu";
@@ -33,7 +33,7 @@ struct Suggestion {
   std::uint64_t voxels = 0;
   std::uint64_t valueWords = 0;  ///< Of values apart.
   std::vector<std::string> rays; ///< Names of the sets.
-  std::vector<RatedFormat> rated;
+  std::vector<PredictedFormat> rated;
   std::optional<std::size_t> choice;
   bool areSpeedsMeasured = false; ///< The model of speeds is of this machine, by a search.
 };

@@ -1,5 +1,5 @@
 // voxc build: voxelizes an input and writes its volume.
-#include "building/Building.h"
+#include "building/BuildSession.h"
 #include "building/FragmentOption.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
@@ -66,7 +66,7 @@ private:
     return volume ? Expected<void>() : volume.error();
   }
 
-  Building building_;
+  BuildSession building_;
   FragmentOption fragment_;
   std::unique_ptr<TaskOption> tasks_ = makeBuildTasks();
   std::string output_;

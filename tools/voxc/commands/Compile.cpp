@@ -96,7 +96,7 @@ void CompileCommand::declare(const CommandLine &command) {
   const Option arithmetic = command
                                 .add("--arithmetic", arithmetic_,
                                      "What the kernel relies on: that the device rounds float32 to nearest "
-                                     "if it is told to, or that "
+                                     "if it is asked to, or that "
                                      "it counts as IEEE 754 says; any is right everywhere")
                                 .takes("any|nearest|ieee")
                                 .oneOf(namesOf<Arithmetic>())

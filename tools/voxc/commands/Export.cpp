@@ -33,7 +33,7 @@ public:
     command.addFlag(
         "--lossy", options_.lossy,
         "Of a .vox file: takes the 255 colours that stand best for those of the volume, rather than "
-        "to fail; the errors are told");
+        "to fail; the errors are reported");
     command
         .add("--slices", slices_,
              "Of .png pictures, the plane that they lie in: z (default), y or x, one for each cell along "

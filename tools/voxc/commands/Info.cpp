@@ -1,4 +1,4 @@
-// voxc info: what the head of a volume says, and on request what a walk over all of it proves; of other
+// voxc info: what the head of a volume says, and on request what a check of all of it proves; of other
 // inputs what they say of themselves.
 #include "building/InputReport.h"
 #include "common/Interrupt.h"
@@ -96,12 +96,12 @@ void print(const VolumeSummary &summary) {
   printBytes(summary);
   for (const StreamSummary &stream : summary.streams)
     printStream(stream);
-  std::printf("made with   %s\n", info.provenance.empty() ? "(not told)" : info.provenance.c_str());
+  std::printf("made with   %s\n", info.provenance.empty() ? "(not known)" : info.provenance.c_str());
   printTransform(info.voxelToModel);
   std::printf("digest      0x%s, which that of a kernel or a header must equal\n", digestText(info).c_str());
 }
 
-/// What stands in a table of the words, which the walk has proved.
+/// What stands in a table of the words, which the check has proved.
 void printPalette(const Volume &volume) {
   const PayloadKind &payload = kindOf(volume.layout().payload);
   if (volume.info().voxels == 0 || payload.mostBits == 0)
@@ -149,7 +149,7 @@ public:
   void declare(const CommandLine &command) override {
     command.add("INPUT", path_, "A .hvx file, or another input, of which nothing is built").takes("");
     command.addFlag("--files", files_,
-                    "Tell what is read of foreign files, warned of and refused, as a table");
+                    "Print what is read of foreign files, warned of and refused, as a table");
     command.addFlag("--prove", prove_, "Of a .hvx file: read all of it, and follow every pointer in it");
     addCommonOptions(command, common_);
   }

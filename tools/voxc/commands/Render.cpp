@@ -4,7 +4,7 @@
 #include "options/Figures.h"
 #include "options/Stages.h"
 #include "options/VolumeArgument.h"
-#include "pictures/Rendering.h"
+#include "pictures/RenderSession.h"
 #include "program/Subcommand.h"
 #include "tracing/DeviceMemory.h"
 
@@ -85,9 +85,9 @@ private:
 
   Stopwatch watch_; ///< Of all.
   VolumeArgument volume_;
-  Rendering rendering_;
+  RenderSession rendering_;
   DeviceMemory memory_; // Outlives the tracer.
-  Tracing tracing_;
+  TraceSession tracing_;
   CommonOptions common_;
 };
 

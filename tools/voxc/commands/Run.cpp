@@ -1,12 +1,12 @@
 // voxc run: compiles, builds and renders in one go.
-#include "building/Building.h"
+#include "building/BuildSession.h"
 #include "common/Terminal.h"
 #include "frontend/AttributeOptions.h"
 #include "options/Figures.h"
 #include "options/InputArguments.h"
 #include "options/Outputs.h"
 #include "options/Stages.h"
-#include "pictures/Rendering.h"
+#include "pictures/RenderSession.h"
 #include "program/Subcommand.h"
 
 namespace voxc::tool {
@@ -67,10 +67,10 @@ private:
   }
 
   Stopwatch watch_; ///< Of all.
-  Building building_;
+  BuildSession building_;
   AttributeOptions attributes_;
-  Rendering rendering_;
-  Tracing tracing_;
+  RenderSession rendering_;
+  TraceSession tracing_;
   std::string volumePath_;
   CommonOptions common_;
 };

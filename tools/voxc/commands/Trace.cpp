@@ -8,7 +8,7 @@
 #include "program/Subcommand.h"
 #include "tracing/DeviceMemory.h"
 #include "tracing/ErrorCheck.h"
-#include "tracing/Tracing.h"
+#include "tracing/TraceSession.h"
 #include "voxc/IR/Query.h"
 
 #include <optional>
@@ -88,11 +88,11 @@ private:
     if (file->rays().isBounded())
       return Error::usage("--tmin and --tmax are for rays without bounds, but " + rays_ +
                           " has rays with bounds");
-    const RayBounds usual;
+    const RayBounds defaults;
     std::vector<BoundedRay> rays;
     rays.reserve(file->rays().size());
     for (const Ray &ray : std::move(*file).takeRays())
-      rays.push_back(bounded(ray, {tmin_.value_or(usual.tmin), tmax_.value_or(usual.tmax)}));
+      rays.push_back(bounded(ray, {tmin_.value_or(defaults.tmin), tmax_.value_or(defaults.tmax)}));
     return RayFile(std::move(rays));
   }
 
@@ -104,7 +104,7 @@ private:
       askForBounds(format);
     const bool isClosest = isOfHits(questionOf(format).query);
     if (hitVersion_ == 2 && !isClosest)
-      return Error::usage("hits of version 2 have faces, which --query closest alone tells");
+      return Error::usage("hits of version 2 have faces, which --query closest alone reports");
     if (hitVersion_ == 0)
       hitVersion_ = isClosest ? rayVersion : 1;
     if (hitVersion_ == 2)
@@ -180,7 +180,7 @@ private:
   TraceOptions options_;
   ErrorCheck check_{1000};
   DeviceMemory memory_; // Outlives the tracer.
-  Tracing tracing_;
+  TraceSession tracing_;
   CommonOptions common_;
 };
 

@@ -8,7 +8,7 @@
 #include "options/VolumeArgument.h"
 #include "program/Applications.h"
 #include "tracing/ErrorCheck.h"
-#include "tracing/Tracing.h"
+#include "tracing/TraceSession.h"
 #include "voxc/Oracle/Oracle.h"
 #include "voxc/Oracle/VerifyRays.h"
 #include "voxc/Source/Sources.h"
@@ -80,7 +80,7 @@ private:
   std::size_t rays_ = 100000;
   std::uint64_t seed_ = 1;
   bool allowBoundary_ = false;
-  Tracing tracing_;
+  TraceSession tracing_;
   CommonOptions common_;
 
   Json figures_;

@@ -50,7 +50,7 @@ constexpr Example kExamples[] = {
      "a page that shows it in any browser, without a network"},
     {"attach", "voxc attach terrain.hvx --normals -o with-normals.hvx",
      "the direction of the surface, for each voxel"},
-    {"view", "voxc view model.obj", "a window in which to turn it, or walk inside"},
+    {"view", "voxc view model.obj", "a window in which to turn it, or fly inside"},
     {"facts", "voxc facts model.obj --resolution 256", "colours, emptiness and repetition of a scene"},
     {"suggest", "voxc suggest model.obj", "one format, why, and the command that builds it"},
     {"search", "voxc search model.obj --budget 60s -o results", "the best formats of each size, measured"},

@@ -3,7 +3,7 @@
 
 #include "common/PictureOptions.h"
 #include "common/RayTally.h"
-#include "tracing/Tracing.h"
+#include "tracing/TraceSession.h"
 #include "voxc/Trace/Clip.h"
 
 #include <optional>
@@ -14,7 +14,7 @@ class PictureRays {
 public:
   /// Traces with `tracing`, which is prepared, what `clip` keeps, by a kernel with bounds if that cuts
   /// anything; keeps so many of the rays of every trace from the eye.
-  PictureRays(Tracing &tracing, std::size_t sample, Clip clip)
+  PictureRays(TraceSession &tracing, std::size_t sample, Clip clip)
       : tracing_(tracing), clip_(std::move(clip)), eye_(sample) {}
 
   /// Where the options take a picture from. Errors as `placeCamera`.
@@ -34,7 +34,7 @@ private:
   /// Sends rays through, and counts them.
   auto through(RayTally &tally);
 
-  Tracing &tracing_;
+  TraceSession &tracing_;
   Clip clip_;
   RayTally eye_, light_;
 };

@@ -64,19 +64,19 @@ class BuildCommand(unittest.TestCase):
         self.assertIn(" ./-x.obj ", built("-x.obj"))
 
 
-def foretold(*speeds):
-    """The stage of cells of which each was foretold so fast and is so fast."""
+def predicted(*speeds):
+    """The stage of cells of which each was predicted so fast and is so fast."""
     return make_catalogue([cell("G(11)", 100 + i, measured, predicted={"mrays_per_s": expected})
                            for i, (expected, measured) in enumerate(speeds)]).stages[0]
 
 
 class Predictions(unittest.TestCase):
     def order(self, *speeds):
-        return rank_correlation(predictions_of(foretold(*speeds)))
+        return rank_correlation(predictions_of(predicted(*speeds)))
 
     def test_have_the_median_error(self):
-        self.assertEqual(median_error(predictions_of(foretold((1.5, 1), (1, 1), (3, 4)))), 0.25)
-        self.assertEqual(median_error(predictions_of(foretold((1.5, 1), (3, 4)))), 0.375)
+        self.assertEqual(median_error(predictions_of(predicted((1.5, 1), (1, 1), (3, 4)))), 0.25)
+        self.assertEqual(median_error(predictions_of(predicted((1.5, 1), (3, 4)))), 0.375)
         self.assertEqual(median_error([]), 0)
 
     def test_have_spearmans_correlation(self):

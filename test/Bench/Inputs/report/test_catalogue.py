@@ -8,7 +8,7 @@ from voxc_report.devices import device_names
 from voxc_report.formats import FAMILIES, look_of
 from voxc_report.frontier import Place, standings
 from voxc_report.pairs import pairs_by_pass, pairs_by_precision
-from voxc_report.passes import pass_difference, usual_passes
+from voxc_report.passes import pass_difference, common_passes
 from voxc_report.speeds import Speed
 
 
@@ -85,7 +85,7 @@ class Catalogue(unittest.TestCase):
                                     cell("G(11)", 40, 5, BOTH)])
         [stage] = catalogue.stages
         self.assertTrue(stage.has_other_passes)
-        self.assertEqual(stage.usual_passes, DEDUP)
+        self.assertEqual(stage.common_passes, DEDUP)
         self.assertEqual([entry.standing.rival for entry in catalogue.entries], [3, 3, 3, 3])
         self.assertEqual([entry.is_leading for entry in catalogue.entries], [False, False, False, True])
 
@@ -97,9 +97,9 @@ class Catalogue(unittest.TestCase):
         self.assertEqual(entries[1].variant, entries[3].variant)
         self.assertNotEqual(entries[0].variant, entries[1].variant)
 
-    def test_usual_passes_are_those_of_more_than_half(self):
-        self.assertEqual(usual_passes([DEDUP, []]), [])
-        self.assertEqual(usual_passes([DEDUP, BOTH, []]), DEDUP)
+    def test_common_passes_are_those_of_more_than_half(self):
+        self.assertEqual(common_passes([DEDUP, []]), [])
+        self.assertEqual(common_passes([DEDUP, BOTH, []]), DEDUP)
         self.assertEqual(pass_difference(["short-pointers=9"], DEDUP), " +short-pointers=9 −whole-level-dedup")
         self.assertEqual(pass_difference(BOTH[::-1], BOTH), "")
 

@@ -76,14 +76,14 @@ class Page(unittest.TestCase):
     def test_names_speeds_that_are_not_steady(self):
         self.assertIn('Not steady: <span class="name">G(11)</span>.', page([cell("G(11)", 100, 1, speed={"steady": False})]))
 
-    def test_tells_what_a_search_foretold(self):
-        def foretold(*words):
+    def test_reports_what_a_search_predicted(self):
+        def predicted(*words):
             return page([cell(form, 400, median, volume={"words": words[i]}, predicted={"words": 100, "mrays_per_s": median * 1.1})
                          for i, (form, median) in enumerate([("G(11)", 1), ("S(11)", 2)])])
-        html = foretold(100, 100)
+        html = predicted(100, 100)
         self.assertIn("2 speeds: median error 10.0 %, rank correlation 1.00.", html)
-        self.assertIn("All 2 sizes are as foretold, to the word.", html)
-        self.assertIn("the others are off by 3 words at most.", foretold(100, 103))
+        self.assertIn("All 2 sizes are as predicted, to the word.", html)
+        self.assertIn("the others are off by 3 words at most.", predicted(100, 103))
 
     def test_tells_the_bytes_of_each_level_of_a_leader(self):
         self.assertIn("<small>R(4³) 96.0 B · G(7) 3.91 KiB</small>",

@@ -96,7 +96,7 @@ class Verdicts(Folder):
                         for rays, median in zip(("overview", "bounced"), speeds)]
         cells = [record["cell"] for record in self.records]
         self.verdict = {"formats": 2, "cells": cells, "compared": cells[:2],
-                        "frontier": [{"name": "G(11) with flat-walk", "size": "10.0 KiB", "speed": "1.60 M/s",
+                        "frontier": [{"name": "G(11) with flat-traversal", "size": "10.0 KiB", "speed": "1.60 M/s",
                                       "set_speeds": "4.00 M/s overview, 1.00 M/s bounced", "cells": cells[:2]}],
                         "answers": [{"question": "fastest", "format": 0, "as_fast": ["S(9)"]}]}
 
@@ -110,7 +110,7 @@ class Verdicts(Folder):
         html, _ = make_page(catalogue, {}, "")
         self.assertEqual(notes, [])
         self.assertIn("<dt>Fastest</dt>", html)
-        self.assertIn("<b>G(11) with flat-walk</b>, 10.0 KiB at 1.60 M/s (4.00 M/s overview, 1.00 M/s bounced). As fast", html)
+        self.assertIn("<b>G(11) with flat-traversal</b>, 10.0 KiB at 1.60 M/s (4.00 M/s overview, 1.00 M/s bounced). As fast", html)
         self.assertNotIn("<h3>overview", html)
         # Formats whose times are of other moments are beaten.
         self.assertEqual([entry.is_leading for entry in catalogue.entries], [True, True, False, False])

@@ -1,4 +1,4 @@
-"""Functions for WebGL of formats with every kind of level, walk and payload through glslang: check.py VOXC FOLDER"""
+"""Functions for WebGL of formats with every kind of level, traversal and payload through glslang: check.py VOXC FOLDER"""
 import re
 import subprocess
 import sys
@@ -11,8 +11,8 @@ R(2^3) G(3) --precision fast
 G(5) --restart-sv --inline-leaves
 G(6, 2) --unroll-sv
 S(5)
-S(2) S(3) --flat-walk
-D(3^3,6) R(2^3) --direct-walk
+S(2) S(3) --flat-traversal
+D(3^3,6) R(2^3) --direct-traversal
 D(2^3,15) G(3) --df-packing
 D(3^3,15) M(2^3) --octant-distances --df-packing --share-grids --values-apart
 H(3^3) M(2^3) --share-grids --short-pointers

@@ -23,44 +23,44 @@ uint voxc_d7_7_7_15_m2_2_2_value_level_2(VOXC_VOLUME volume, uint grid, ivec3 ce
   return voxc_d7_7_7_15_m2_2_2_value_of_slot_level_2(volume, grid, uint(rank));
 }
 
-// True if a cell is full. Else the gap is as wide as the aligned group of eight cells around it, if they are all empty,
-// or as the grid, if no cell is full that the ray may still come to.
+// True if a cell is full. Else the empty span is as wide as the aligned group of eight cells around it, if they are all
+// empty, or as the grid, if no cell is full that the ray may still come to.
 bool voxc_d7_7_7_15_m2_2_2_is_full_level_2(VOXC_VOLUME volume, uint grid, ivec3 cell,
-    inout voxc_d7_7_7_15_m2_2_2_Gap gap) {
+    inout voxc_d7_7_7_15_m2_2_2_EmptySpan span) {
   int number = voxc_d7_7_7_15_m2_2_2_number_level_2(cell);
   // Half of the mask tells of the group. To know more of four voxels a side takes longer than the steps that it would
   // save.
   uint half_mask = voxc_d7_7_7_15_m2_2_2_load_word(volume, grid + uint(number >> 5));
-  gap.log2_side += (half_mask >> (number & 10) & 0x00330033u) == 0u ? 1 : 0;
+  span.log2_side += (half_mask >> (number & 10) & 0x00330033u) == 0u ? 1 : 0;
   return (half_mask >> (number & 31) & 1u) != 0u;
 }
 
 // The same, and the value of a cell that is full; 0 of one that is not.
 uint voxc_d7_7_7_15_m2_2_2_look_up_level_2(VOXC_VOLUME volume, uint grid, ivec3 cell,
-    inout voxc_d7_7_7_15_m2_2_2_Gap gap) {
+    inout voxc_d7_7_7_15_m2_2_2_EmptySpan span) {
   // Its value is looked up once it is hit.
-  return voxc_d7_7_7_15_m2_2_2_is_full_level_2(volume, grid, cell, gap) ? grid : 0u;
+  return voxc_d7_7_7_15_m2_2_2_is_full_level_2(volume, grid, cell, span) ? grid : 0u;
 }
 
 // The faces ahead of what a mask may tell to be empty. They are made before it is known which of these it is, since the
 // mask comes late: to choose is then all that is left to do.
 vec3 voxc_d7_7_7_15_m2_2_2_faces_level_2(const voxc_d7_7_7_15_m2_2_2_Ray ray, ivec3 cell,
-    const voxc_d7_7_7_15_m2_2_2_Gap gap) {
+    const voxc_d7_7_7_15_m2_2_2_EmptySpan span) {
   vec3 of_cell = vec3(voxc_d7_7_7_15_m2_2_2_faces_ahead(ray, cell,
-      voxc_d7_7_7_15_m2_2_2_Gap(voxc_d7_7_7_15_m2_2_2_LEVEL_2_LOG2_CELL, 1)));
+      voxc_d7_7_7_15_m2_2_2_EmptySpan(voxc_d7_7_7_15_m2_2_2_LEVEL_2_LOG2_CELL, 1)));
   vec3 of_group = vec3(voxc_d7_7_7_15_m2_2_2_faces_ahead(ray, cell,
-      voxc_d7_7_7_15_m2_2_2_Gap(voxc_d7_7_7_15_m2_2_2_LEVEL_2_LOG2_CELL + 1, 1)));
-  return gap.log2_side == voxc_d7_7_7_15_m2_2_2_LEVEL_2_LOG2_CELL ? of_cell : of_group;
+      voxc_d7_7_7_15_m2_2_2_EmptySpan(voxc_d7_7_7_15_m2_2_2_LEVEL_2_LOG2_CELL + 1, 1)));
+  return span.log2_side == voxc_d7_7_7_15_m2_2_2_LEVEL_2_LOG2_CELL ? of_cell : of_group;
 }
 
 // The voxel around a cell, from this grid down; 0, and what is empty there with its faces ahead, if there is none.
 uint voxc_d7_7_7_15_m2_2_2_locate_level_2(VOXC_VOLUME volume, const voxc_d7_7_7_15_m2_2_2_Ray ray, uint grid,
-    ivec3 cell, inout voxc_d7_7_7_15_m2_2_2_Gap gap, inout vec3 face) {
-  gap = voxc_d7_7_7_15_m2_2_2_Gap(voxc_d7_7_7_15_m2_2_2_LEVEL_2_LOG2_CELL, 1);
+    ivec3 cell, inout voxc_d7_7_7_15_m2_2_2_EmptySpan span, inout vec3 face) {
+  span = voxc_d7_7_7_15_m2_2_2_EmptySpan(voxc_d7_7_7_15_m2_2_2_LEVEL_2_LOG2_CELL, 1);
   uint value = voxc_d7_7_7_15_m2_2_2_look_up_level_2(volume, grid, cell >> voxc_d7_7_7_15_m2_2_2_LEVEL_2_LOG2_CELL,
-      gap);
+      span);
   if (value == 0u)
-    face = voxc_d7_7_7_15_m2_2_2_faces_level_2(ray, cell, gap);
+    face = voxc_d7_7_7_15_m2_2_2_faces_level_2(ray, cell, span);
   return value;
 }
 
@@ -76,49 +76,49 @@ uint voxc_d7_7_7_15_m2_2_2_slot_level_1(uint grid, ivec3 cell) {
       + (at.z << voxc_d7_7_7_15_m2_2_2_LEVEL_1_LOG2_SIZE.y)) << voxc_d7_7_7_15_m2_2_2_LEVEL_1_LOG2_SIZE.x));
 }
 
-// The value of a cell, or 0 if it is empty; `gap` then counts the cells of its distance.
+// The value of a cell, or 0 if it is empty; `span` then counts the cells of its distance.
 uint voxc_d7_7_7_15_m2_2_2_look_up_level_1(VOXC_VOLUME volume, const voxc_d7_7_7_15_m2_2_2_Ray ray, uint grid,
-    ivec3 cell, inout voxc_d7_7_7_15_m2_2_2_Gap gap) {
+    ivec3 cell, inout voxc_d7_7_7_15_m2_2_2_EmptySpan span) {
   uint slot = voxc_d7_7_7_15_m2_2_2_slot_level_1(grid, cell);
   uint word = voxc_d7_7_7_15_m2_2_2_load_word(volume, slot);
   // The distance stands behind the value.
   uint skip = word == 0u ? voxc_d7_7_7_15_m2_2_2_load_word(volume, slot + 1u) : 0u;
-  gap.count = int(skip >> (ray.octant * 4) & 15u);
+  span.count = int(skip >> (ray.octant * 4) & 15u);
   return word;
 }
 
 // The voxel around a cell, from this grid down; 0, and what is empty there with its faces ahead, if there is none.
 uint voxc_d7_7_7_15_m2_2_2_locate_level_1(VOXC_VOLUME volume, const voxc_d7_7_7_15_m2_2_2_Ray ray, uint grid,
-    ivec3 cell, inout voxc_d7_7_7_15_m2_2_2_Gap gap, inout vec3 face) {
-  gap = voxc_d7_7_7_15_m2_2_2_Gap(voxc_d7_7_7_15_m2_2_2_LEVEL_1_LOG2_CELL, 1);
+    ivec3 cell, inout voxc_d7_7_7_15_m2_2_2_EmptySpan span, inout vec3 face) {
+  span = voxc_d7_7_7_15_m2_2_2_EmptySpan(voxc_d7_7_7_15_m2_2_2_LEVEL_1_LOG2_CELL, 1);
   uint value = voxc_d7_7_7_15_m2_2_2_look_up_level_1(volume, ray, grid, cell >> voxc_d7_7_7_15_m2_2_2_LEVEL_1_LOG2_CELL,
-      gap);
+      span);
   if (value == 0u)
-    face = vec3(voxc_d7_7_7_15_m2_2_2_faces_ahead(ray, cell, gap));
-  return value == 0u ? 0u : voxc_d7_7_7_15_m2_2_2_locate_level_2(volume, ray, value, cell, gap, face);
+    face = vec3(voxc_d7_7_7_15_m2_2_2_faces_ahead(ray, cell, span));
+  return value == 0u ? 0u : voxc_d7_7_7_15_m2_2_2_locate_level_2(volume, ray, value, cell, span, face);
 }
 
-// One loop. Each turn looks at the walk's cell from the root on, through all levels.
+// One loop. Each turn looks at the traversal's cell from the root on, through all levels.
 bool voxc_d7_7_7_15_m2_2_2_intersect_level_1(VOXC_VOLUME volume, const voxc_d7_7_7_15_m2_2_2_Ray ray,
-    inout voxc_d7_7_7_15_m2_2_2_Walk walk, uint root) {
-  ivec3 before = walk.cell;
-  while (voxc_d7_7_7_15_m2_2_2_goes_on(walk)) {
-    voxc_d7_7_7_15_m2_2_2_Gap gap = voxc_d7_7_7_15_m2_2_2_Gap(0, 1);
+    inout voxc_d7_7_7_15_m2_2_2_Traversal traversal, uint root) {
+  ivec3 before = traversal.cell;
+  while (voxc_d7_7_7_15_m2_2_2_goes_on(traversal)) {
+    voxc_d7_7_7_15_m2_2_2_EmptySpan span = voxc_d7_7_7_15_m2_2_2_EmptySpan(0, 1);
     vec3 face = vec3(0);
-    uint value = voxc_d7_7_7_15_m2_2_2_locate_level_1(volume, ray, root, walk.cell, gap, face);
+    uint value = voxc_d7_7_7_15_m2_2_2_locate_level_1(volume, ray, root, traversal.cell, span, face);
     if (value != 0u) {
-      walk.voxel = value;
+      traversal.voxel = value;
       return true;
     }
-    before = walk.cell;
-    voxc_d7_7_7_15_m2_2_2_step_over(ray, walk, gap, face);
+    before = traversal.cell;
+    voxc_d7_7_7_15_m2_2_2_step_over(ray, traversal, span, face);
   }
-  voxc_d7_7_7_15_m2_2_2_put_outside(walk, before);
+  voxc_d7_7_7_15_m2_2_2_put_outside(traversal, before);
   return false;
 }
 
 // What a voxel is: here its value is its colour.
-uint voxc_d7_7_7_15_m2_2_2_colour_of(VOXC_VOLUME volume, const voxc_d7_7_7_15_m2_2_2_Walk walk) {
-  return voxc_d7_7_7_15_m2_2_2_value_level_2(volume, walk.voxel, walk.cell);
+uint voxc_d7_7_7_15_m2_2_2_colour_of(VOXC_VOLUME volume, const voxc_d7_7_7_15_m2_2_2_Traversal traversal) {
+  return voxc_d7_7_7_15_m2_2_2_value_level_2(volume, traversal.voxel, traversal.cell);
 }
 

@@ -31,44 +31,44 @@ fn voxc_d7_7_7_15_m2_2_2_value_level_2(volume: u32, grid: u32, cell: vec3<i32>) 
   return voxc_d7_7_7_15_m2_2_2_value_of_slot_level_2(volume, grid, u32(rank));
 }
 
-// True if a cell is full. Else the gap is as wide as the aligned group of eight cells around it, if they are all empty,
-// or as the grid, if no cell is full that the ray may still come to.
-fn voxc_d7_7_7_15_m2_2_2_is_full_level_2(volume: u32, grid: u32, cell: vec3<i32>, gap: ptr<function,
-    voxc_d7_7_7_15_m2_2_2_Gap>) -> bool {
+// True if a cell is full. Else the empty span is as wide as the aligned group of eight cells around it, if they are all
+// empty, or as the grid, if no cell is full that the ray may still come to.
+fn voxc_d7_7_7_15_m2_2_2_is_full_level_2(volume: u32, grid: u32, cell: vec3<i32>, span: ptr<function,
+    voxc_d7_7_7_15_m2_2_2_EmptySpan>) -> bool {
   let number = voxc_d7_7_7_15_m2_2_2_number_level_2(cell);
   // Half of the mask tells of the group. To know more of four voxels a side takes longer than the steps that it would
   // save.
   let half_mask = voxc_d7_7_7_15_m2_2_2_load_word(volume, grid + u32(number >> 5u));
-  (*gap).log2_side += select(0, 1, ((half_mask >> u32(number & 10)) & 0x00330033u) == 0u);
+  (*span).log2_side += select(0, 1, ((half_mask >> u32(number & 10)) & 0x00330033u) == 0u);
   return ((half_mask >> u32(number & 31)) & 1u) != 0u;
 }
 
 // The same, and the value of a cell that is full; 0 of one that is not.
-fn voxc_d7_7_7_15_m2_2_2_look_up_level_2(volume: u32, grid: u32, cell: vec3<i32>, gap: ptr<function,
-    voxc_d7_7_7_15_m2_2_2_Gap>) -> u32 {
+fn voxc_d7_7_7_15_m2_2_2_look_up_level_2(volume: u32, grid: u32, cell: vec3<i32>, span: ptr<function,
+    voxc_d7_7_7_15_m2_2_2_EmptySpan>) -> u32 {
   // Its value is looked up once it is hit.
-  return select(0u, grid, voxc_d7_7_7_15_m2_2_2_is_full_level_2(volume, grid, cell, gap));
+  return select(0u, grid, voxc_d7_7_7_15_m2_2_2_is_full_level_2(volume, grid, cell, span));
 }
 
 // The faces ahead of what a mask may tell to be empty. They are made before it is known which of these it is, since the
 // mask comes late: to choose is then all that is left to do.
 fn voxc_d7_7_7_15_m2_2_2_faces_level_2(ray: voxc_d7_7_7_15_m2_2_2_Ray, cell: vec3<i32>,
-    gap: voxc_d7_7_7_15_m2_2_2_Gap) -> vec3<f32> {
+    span: voxc_d7_7_7_15_m2_2_2_EmptySpan) -> vec3<f32> {
   let of_cell = vec3<f32>(voxc_d7_7_7_15_m2_2_2_faces_ahead(ray, cell,
-      voxc_d7_7_7_15_m2_2_2_Gap(voxc_d7_7_7_15_m2_2_2_LEVEL_2_LOG2_CELL, 1)));
+      voxc_d7_7_7_15_m2_2_2_EmptySpan(voxc_d7_7_7_15_m2_2_2_LEVEL_2_LOG2_CELL, 1)));
   let of_group = vec3<f32>(voxc_d7_7_7_15_m2_2_2_faces_ahead(ray, cell,
-      voxc_d7_7_7_15_m2_2_2_Gap(voxc_d7_7_7_15_m2_2_2_LEVEL_2_LOG2_CELL + 1, 1)));
-  return select(of_group, of_cell, gap.log2_side == voxc_d7_7_7_15_m2_2_2_LEVEL_2_LOG2_CELL);
+      voxc_d7_7_7_15_m2_2_2_EmptySpan(voxc_d7_7_7_15_m2_2_2_LEVEL_2_LOG2_CELL + 1, 1)));
+  return select(of_group, of_cell, span.log2_side == voxc_d7_7_7_15_m2_2_2_LEVEL_2_LOG2_CELL);
 }
 
 // The voxel around a cell, from this grid down; 0, and what is empty there with its faces ahead, if there is none.
 fn voxc_d7_7_7_15_m2_2_2_locate_level_2(volume: u32, ray: voxc_d7_7_7_15_m2_2_2_Ray, grid: u32, cell: vec3<i32>,
-    gap: ptr<function, voxc_d7_7_7_15_m2_2_2_Gap>, face: ptr<function, vec3<f32>>) -> u32 {
-  *gap = voxc_d7_7_7_15_m2_2_2_Gap(voxc_d7_7_7_15_m2_2_2_LEVEL_2_LOG2_CELL, 1);
+    span: ptr<function, voxc_d7_7_7_15_m2_2_2_EmptySpan>, face: ptr<function, vec3<f32>>) -> u32 {
+  *span = voxc_d7_7_7_15_m2_2_2_EmptySpan(voxc_d7_7_7_15_m2_2_2_LEVEL_2_LOG2_CELL, 1);
   let value = voxc_d7_7_7_15_m2_2_2_look_up_level_2(volume, grid,
-      cell >> vec3<u32>(u32(voxc_d7_7_7_15_m2_2_2_LEVEL_2_LOG2_CELL)), gap);
+      cell >> vec3<u32>(u32(voxc_d7_7_7_15_m2_2_2_LEVEL_2_LOG2_CELL)), span);
   if (value == 0u) {
-    *face = voxc_d7_7_7_15_m2_2_2_faces_level_2(ray, cell, *gap);
+    *face = voxc_d7_7_7_15_m2_2_2_faces_level_2(ray, cell, *span);
   }
   return value;
 }
@@ -85,9 +85,9 @@ fn voxc_d7_7_7_15_m2_2_2_slot_level_1(grid: u32, cell: vec3<i32>) -> u32 {
       + (at.z << u32(voxc_d7_7_7_15_m2_2_2_LEVEL_1_LOG2_SIZE.y))) << u32(voxc_d7_7_7_15_m2_2_2_LEVEL_1_LOG2_SIZE.x)));
 }
 
-// The value of a cell, or 0 if it is empty; `gap` then counts the cells of its distance.
+// The value of a cell, or 0 if it is empty; `span` then counts the cells of its distance.
 fn voxc_d7_7_7_15_m2_2_2_look_up_level_1(volume: u32, ray: voxc_d7_7_7_15_m2_2_2_Ray, grid: u32, cell: vec3<i32>,
-    gap: ptr<function, voxc_d7_7_7_15_m2_2_2_Gap>) -> u32 {
+    span: ptr<function, voxc_d7_7_7_15_m2_2_2_EmptySpan>) -> u32 {
   let slot = voxc_d7_7_7_15_m2_2_2_slot_level_1(grid, cell);
   let word = voxc_d7_7_7_15_m2_2_2_load_word(volume, slot);
   // The distance stands behind the value.
@@ -97,46 +97,46 @@ fn voxc_d7_7_7_15_m2_2_2_look_up_level_1(volume: u32, ray: voxc_d7_7_7_15_m2_2_2
   } else {
     skip = 0u;
   }
-  (*gap).count = i32((skip >> u32(ray.octant * 4)) & 15u);
+  (*span).count = i32((skip >> u32(ray.octant * 4)) & 15u);
   return word;
 }
 
 // The voxel around a cell, from this grid down; 0, and what is empty there with its faces ahead, if there is none.
 fn voxc_d7_7_7_15_m2_2_2_locate_level_1(volume: u32, ray: voxc_d7_7_7_15_m2_2_2_Ray, grid: u32, cell: vec3<i32>,
-    gap: ptr<function, voxc_d7_7_7_15_m2_2_2_Gap>, face: ptr<function, vec3<f32>>) -> u32 {
-  *gap = voxc_d7_7_7_15_m2_2_2_Gap(voxc_d7_7_7_15_m2_2_2_LEVEL_1_LOG2_CELL, 1);
+    span: ptr<function, voxc_d7_7_7_15_m2_2_2_EmptySpan>, face: ptr<function, vec3<f32>>) -> u32 {
+  *span = voxc_d7_7_7_15_m2_2_2_EmptySpan(voxc_d7_7_7_15_m2_2_2_LEVEL_1_LOG2_CELL, 1);
   let value = voxc_d7_7_7_15_m2_2_2_look_up_level_1(volume, ray, grid,
-      cell >> vec3<u32>(u32(voxc_d7_7_7_15_m2_2_2_LEVEL_1_LOG2_CELL)), gap);
+      cell >> vec3<u32>(u32(voxc_d7_7_7_15_m2_2_2_LEVEL_1_LOG2_CELL)), span);
   if (value == 0u) {
-    *face = vec3<f32>(voxc_d7_7_7_15_m2_2_2_faces_ahead(ray, cell, *gap));
+    *face = vec3<f32>(voxc_d7_7_7_15_m2_2_2_faces_ahead(ray, cell, *span));
   }
   if (value == 0u) {
     return 0u;
   }
-  return voxc_d7_7_7_15_m2_2_2_locate_level_2(volume, ray, value, cell, gap, face);
+  return voxc_d7_7_7_15_m2_2_2_locate_level_2(volume, ray, value, cell, span, face);
 }
 
-// One loop. Each turn looks at the walk's cell from the root on, through all levels.
-fn voxc_d7_7_7_15_m2_2_2_intersect_level_1(volume: u32, ray: voxc_d7_7_7_15_m2_2_2_Ray, walk: ptr<function,
-    voxc_d7_7_7_15_m2_2_2_Walk>, root: u32) -> bool {
-  var before: vec3<i32> = (*walk).cell;
-  while (voxc_d7_7_7_15_m2_2_2_goes_on(*walk)) {
-    var gap: voxc_d7_7_7_15_m2_2_2_Gap = voxc_d7_7_7_15_m2_2_2_Gap(0, 1);
+// One loop. Each turn looks at the traversal's cell from the root on, through all levels.
+fn voxc_d7_7_7_15_m2_2_2_intersect_level_1(volume: u32, ray: voxc_d7_7_7_15_m2_2_2_Ray, traversal: ptr<function,
+    voxc_d7_7_7_15_m2_2_2_Traversal>, root: u32) -> bool {
+  var before: vec3<i32> = (*traversal).cell;
+  while (voxc_d7_7_7_15_m2_2_2_goes_on(*traversal)) {
+    var span: voxc_d7_7_7_15_m2_2_2_EmptySpan = voxc_d7_7_7_15_m2_2_2_EmptySpan(0, 1);
     var face: vec3<f32> = vec3<f32>(0);
-    let value = voxc_d7_7_7_15_m2_2_2_locate_level_1(volume, ray, root, (*walk).cell, &gap, &face);
+    let value = voxc_d7_7_7_15_m2_2_2_locate_level_1(volume, ray, root, (*traversal).cell, &span, &face);
     if (value != 0u) {
-      (*walk).voxel = value;
+      (*traversal).voxel = value;
       return true;
     }
-    before = (*walk).cell;
-    voxc_d7_7_7_15_m2_2_2_step_over(ray, walk, gap, face);
+    before = (*traversal).cell;
+    voxc_d7_7_7_15_m2_2_2_step_over(ray, traversal, span, face);
   }
-  voxc_d7_7_7_15_m2_2_2_put_outside(walk, before);
+  voxc_d7_7_7_15_m2_2_2_put_outside(traversal, before);
   return false;
 }
 
 // What a voxel is: here its value is its colour.
-fn voxc_d7_7_7_15_m2_2_2_colour_of(volume: u32, walk: voxc_d7_7_7_15_m2_2_2_Walk) -> u32 {
-  return voxc_d7_7_7_15_m2_2_2_value_level_2(volume, walk.voxel, walk.cell);
+fn voxc_d7_7_7_15_m2_2_2_colour_of(volume: u32, traversal: voxc_d7_7_7_15_m2_2_2_Traversal) -> u32 {
+  return voxc_d7_7_7_15_m2_2_2_value_level_2(volume, traversal.voxel, traversal.cell);
 }
 

@@ -26,40 +26,40 @@ static inline uint voxc_r3_3_3_m2_2_2_value_level_2(const unsigned int *volume, 
   return voxc_r3_3_3_m2_2_2_value_of_slot_level_2(volume, grid, uint(rank));
 }
 
-// True if a cell is full. Else the gap is as wide as the aligned group of eight cells around it, if they are all empty,
-// or as the grid, if no cell is full that the ray may still come to.
+// True if a cell is full. Else the empty span is as wide as the aligned group of eight cells around it, if they are all
+// empty, or as the grid, if no cell is full that the ray may still come to.
 static inline bool voxc_r3_3_3_m2_2_2_is_full_level_2(const unsigned int *volume, uint grid, ivec3 cell,
-    voxc_r3_3_3_m2_2_2_Gap &gap) {
+    voxc_r3_3_3_m2_2_2_EmptySpan &span) {
   int number = voxc_r3_3_3_m2_2_2_number_level_2(cell);
   // Half of the mask tells of the group. To know more of four voxels a side takes longer than the steps that it would
   // save.
   uint half_mask = voxc_r3_3_3_m2_2_2_load_word(volume, grid + uint(number >> 5));
-  gap.log2_side += (half_mask >> (number & 10) & 0x00330033u) == 0u ? 1 : 0;
+  span.log2_side += (half_mask >> (number & 10) & 0x00330033u) == 0u ? 1 : 0;
   return (half_mask >> (number & 31) & 1u) != 0u;
 }
 
 // The same, and the value of a cell that is full; 0 of one that is not.
 static inline uint voxc_r3_3_3_m2_2_2_look_up_level_2(const unsigned int *volume, uint grid, ivec3 cell,
-    voxc_r3_3_3_m2_2_2_Gap &gap) {
+    voxc_r3_3_3_m2_2_2_EmptySpan &span) {
   // Its value is looked up once it is hit.
-  return voxc_r3_3_3_m2_2_2_is_full_level_2(volume, grid, cell, gap) ? grid : 0u;
+  return voxc_r3_3_3_m2_2_2_is_full_level_2(volume, grid, cell, span) ? grid : 0u;
 }
 
-// Whether a walk is still in the sub-volume in which it began.
+// Whether a traversal is still in the sub-volume in which it began.
 static inline bool voxc_r3_3_3_m2_2_2_within_level_2(ivec3 begin, ivec3 cell) {
   return voxc_r3_3_3_m2_2_2_is_same_cube(begin, cell, voxc_r3_3_3_m2_2_2_LEVEL_2_LOG2_SIDE);
 }
 
 static inline bool voxc_r3_3_3_m2_2_2_intersect_level_2(const unsigned int *volume, const voxc_r3_3_3_m2_2_2_Ray &ray,
-    voxc_r3_3_3_m2_2_2_Walk &walk, uint grid) {
-  ivec3 begin = walk.cell;
-  while (voxc_r3_3_3_m2_2_2_within_level_2(begin, walk.cell)) {
-    voxc_r3_3_3_m2_2_2_Gap gap = voxc_r3_3_3_m2_2_2_Gap(voxc_r3_3_3_m2_2_2_LEVEL_2_LOG2_CELL, 1);
-    uint value = voxc_r3_3_3_m2_2_2_look_up_level_2(volume, grid, walk.cell >> voxc_r3_3_3_m2_2_2_LEVEL_2_LOG2_CELL,
-        gap);
+    voxc_r3_3_3_m2_2_2_Traversal &traversal, uint grid) {
+  ivec3 begin = traversal.cell;
+  while (voxc_r3_3_3_m2_2_2_within_level_2(begin, traversal.cell)) {
+    voxc_r3_3_3_m2_2_2_EmptySpan span = voxc_r3_3_3_m2_2_2_EmptySpan(voxc_r3_3_3_m2_2_2_LEVEL_2_LOG2_CELL, 1);
+    uint value = voxc_r3_3_3_m2_2_2_look_up_level_2(volume, grid,
+        traversal.cell >> voxc_r3_3_3_m2_2_2_LEVEL_2_LOG2_CELL, span);
     if (value == 0u) {
-      voxc_r3_3_3_m2_2_2_step_over(ray, walk, gap);
-    } else if (voxc_r3_3_3_m2_2_2_intersect_voxel(walk, value)) {
+      voxc_r3_3_3_m2_2_2_step_over(ray, traversal, span);
+    } else if (voxc_r3_3_3_m2_2_2_intersect_voxel(traversal, value)) {
       return true;
     }
   }
@@ -85,13 +85,13 @@ static inline uint voxc_r3_3_3_m2_2_2_cell_level_1(const unsigned int *volume, u
 }
 
 static inline bool voxc_r3_3_3_m2_2_2_intersect_level_1(const unsigned int *volume, const voxc_r3_3_3_m2_2_2_Ray &ray,
-    voxc_r3_3_3_m2_2_2_Walk &walk, uint grid) {
-  while (voxc_r3_3_3_m2_2_2_goes_on(walk)) {
-    voxc_r3_3_3_m2_2_2_Gap gap = voxc_r3_3_3_m2_2_2_Gap(voxc_r3_3_3_m2_2_2_LEVEL_1_LOG2_CELL, 1);
-    uint value = voxc_r3_3_3_m2_2_2_cell_level_1(volume, grid, walk.cell >> voxc_r3_3_3_m2_2_2_LEVEL_1_LOG2_CELL);
+    voxc_r3_3_3_m2_2_2_Traversal &traversal, uint grid) {
+  while (voxc_r3_3_3_m2_2_2_goes_on(traversal)) {
+    voxc_r3_3_3_m2_2_2_EmptySpan span = voxc_r3_3_3_m2_2_2_EmptySpan(voxc_r3_3_3_m2_2_2_LEVEL_1_LOG2_CELL, 1);
+    uint value = voxc_r3_3_3_m2_2_2_cell_level_1(volume, grid, traversal.cell >> voxc_r3_3_3_m2_2_2_LEVEL_1_LOG2_CELL);
     if (value == 0u) {
-      voxc_r3_3_3_m2_2_2_step_over(ray, walk, gap);
-    } else if (voxc_r3_3_3_m2_2_2_intersect_level_2(volume, ray, walk, value)) {
+      voxc_r3_3_3_m2_2_2_step_over(ray, traversal, span);
+    } else if (voxc_r3_3_3_m2_2_2_intersect_level_2(volume, ray, traversal, value)) {
       return true;
     }
   }
@@ -99,7 +99,8 @@ static inline bool voxc_r3_3_3_m2_2_2_intersect_level_1(const unsigned int *volu
 }
 
 // What a voxel is: here its value is its colour.
-static inline uint voxc_r3_3_3_m2_2_2_colour_of(const unsigned int *volume, const voxc_r3_3_3_m2_2_2_Walk &walk) {
-  return voxc_r3_3_3_m2_2_2_value_level_2(volume, walk.voxel, walk.cell);
+static inline uint voxc_r3_3_3_m2_2_2_colour_of(const unsigned int *volume,
+    const voxc_r3_3_3_m2_2_2_Traversal &traversal) {
+  return voxc_r3_3_3_m2_2_2_value_level_2(volume, traversal.voxel, traversal.cell);
 }
 

@@ -32,40 +32,40 @@ fn voxc_r3_3_3_m2_2_2_value_level_2(volume: u32, grid: u32, cell: vec3<i32>) -> 
   return voxc_r3_3_3_m2_2_2_value_of_slot_level_2(volume, grid, u32(rank));
 }
 
-// True if a cell is full. Else the gap is as wide as the aligned group of eight cells around it, if they are all empty,
-// or as the grid, if no cell is full that the ray may still come to.
-fn voxc_r3_3_3_m2_2_2_is_full_level_2(volume: u32, grid: u32, cell: vec3<i32>, gap: ptr<function,
-    voxc_r3_3_3_m2_2_2_Gap>) -> bool {
+// True if a cell is full. Else the empty span is as wide as the aligned group of eight cells around it, if they are all
+// empty, or as the grid, if no cell is full that the ray may still come to.
+fn voxc_r3_3_3_m2_2_2_is_full_level_2(volume: u32, grid: u32, cell: vec3<i32>, span: ptr<function,
+    voxc_r3_3_3_m2_2_2_EmptySpan>) -> bool {
   let number = voxc_r3_3_3_m2_2_2_number_level_2(cell);
   // Half of the mask tells of the group. To know more of four voxels a side takes longer than the steps that it would
   // save.
   let half_mask = voxc_r3_3_3_m2_2_2_load_word(volume, grid + u32(number >> 5u));
-  (*gap).log2_side += select(0, 1, ((half_mask >> u32(number & 10)) & 0x00330033u) == 0u);
+  (*span).log2_side += select(0, 1, ((half_mask >> u32(number & 10)) & 0x00330033u) == 0u);
   return ((half_mask >> u32(number & 31)) & 1u) != 0u;
 }
 
 // The same, and the value of a cell that is full; 0 of one that is not.
-fn voxc_r3_3_3_m2_2_2_look_up_level_2(volume: u32, grid: u32, cell: vec3<i32>, gap: ptr<function,
-    voxc_r3_3_3_m2_2_2_Gap>) -> u32 {
+fn voxc_r3_3_3_m2_2_2_look_up_level_2(volume: u32, grid: u32, cell: vec3<i32>, span: ptr<function,
+    voxc_r3_3_3_m2_2_2_EmptySpan>) -> u32 {
   // Its value is looked up once it is hit.
-  return select(0u, grid, voxc_r3_3_3_m2_2_2_is_full_level_2(volume, grid, cell, gap));
+  return select(0u, grid, voxc_r3_3_3_m2_2_2_is_full_level_2(volume, grid, cell, span));
 }
 
-// Whether a walk is still in the sub-volume in which it began.
+// Whether a traversal is still in the sub-volume in which it began.
 fn voxc_r3_3_3_m2_2_2_within_level_2(begin: vec3<i32>, cell: vec3<i32>) -> bool {
   return voxc_r3_3_3_m2_2_2_is_same_cube(begin, cell, voxc_r3_3_3_m2_2_2_LEVEL_2_LOG2_SIDE);
 }
 
-fn voxc_r3_3_3_m2_2_2_intersect_level_2(volume: u32, ray: voxc_r3_3_3_m2_2_2_Ray, walk: ptr<function,
-    voxc_r3_3_3_m2_2_2_Walk>, grid: u32) -> bool {
-  let begin = (*walk).cell;
-  while (voxc_r3_3_3_m2_2_2_within_level_2(begin, (*walk).cell)) {
-    var gap: voxc_r3_3_3_m2_2_2_Gap = voxc_r3_3_3_m2_2_2_Gap(voxc_r3_3_3_m2_2_2_LEVEL_2_LOG2_CELL, 1);
+fn voxc_r3_3_3_m2_2_2_intersect_level_2(volume: u32, ray: voxc_r3_3_3_m2_2_2_Ray, traversal: ptr<function,
+    voxc_r3_3_3_m2_2_2_Traversal>, grid: u32) -> bool {
+  let begin = (*traversal).cell;
+  while (voxc_r3_3_3_m2_2_2_within_level_2(begin, (*traversal).cell)) {
+    var span: voxc_r3_3_3_m2_2_2_EmptySpan = voxc_r3_3_3_m2_2_2_EmptySpan(voxc_r3_3_3_m2_2_2_LEVEL_2_LOG2_CELL, 1);
     let value = voxc_r3_3_3_m2_2_2_look_up_level_2(volume, grid,
-        (*walk).cell >> vec3<u32>(u32(voxc_r3_3_3_m2_2_2_LEVEL_2_LOG2_CELL)), &gap);
+        (*traversal).cell >> vec3<u32>(u32(voxc_r3_3_3_m2_2_2_LEVEL_2_LOG2_CELL)), &span);
     if (value == 0u) {
-      voxc_r3_3_3_m2_2_2_step_over_gap(ray, walk, gap);
-    } else if (voxc_r3_3_3_m2_2_2_intersect_voxel(walk, value)) {
+      voxc_r3_3_3_m2_2_2_step_over_emptyspan(ray, traversal, span);
+    } else if (voxc_r3_3_3_m2_2_2_intersect_voxel(traversal, value)) {
       return true;
     }
   }
@@ -90,15 +90,15 @@ fn voxc_r3_3_3_m2_2_2_cell_level_1(volume: u32, grid: u32, cell: vec3<i32>) -> u
   return voxc_r3_3_3_m2_2_2_load_word(volume, slot);
 }
 
-fn voxc_r3_3_3_m2_2_2_intersect_level_1(volume: u32, ray: voxc_r3_3_3_m2_2_2_Ray, walk: ptr<function,
-    voxc_r3_3_3_m2_2_2_Walk>, grid: u32) -> bool {
-  while (voxc_r3_3_3_m2_2_2_goes_on(*walk)) {
-    let gap = voxc_r3_3_3_m2_2_2_Gap(voxc_r3_3_3_m2_2_2_LEVEL_1_LOG2_CELL, 1);
+fn voxc_r3_3_3_m2_2_2_intersect_level_1(volume: u32, ray: voxc_r3_3_3_m2_2_2_Ray, traversal: ptr<function,
+    voxc_r3_3_3_m2_2_2_Traversal>, grid: u32) -> bool {
+  while (voxc_r3_3_3_m2_2_2_goes_on(*traversal)) {
+    let span = voxc_r3_3_3_m2_2_2_EmptySpan(voxc_r3_3_3_m2_2_2_LEVEL_1_LOG2_CELL, 1);
     let value = voxc_r3_3_3_m2_2_2_cell_level_1(volume, grid,
-        (*walk).cell >> vec3<u32>(u32(voxc_r3_3_3_m2_2_2_LEVEL_1_LOG2_CELL)));
+        (*traversal).cell >> vec3<u32>(u32(voxc_r3_3_3_m2_2_2_LEVEL_1_LOG2_CELL)));
     if (value == 0u) {
-      voxc_r3_3_3_m2_2_2_step_over_gap(ray, walk, gap);
-    } else if (voxc_r3_3_3_m2_2_2_intersect_level_2(volume, ray, walk, value)) {
+      voxc_r3_3_3_m2_2_2_step_over_emptyspan(ray, traversal, span);
+    } else if (voxc_r3_3_3_m2_2_2_intersect_level_2(volume, ray, traversal, value)) {
       return true;
     }
   }
@@ -106,7 +106,7 @@ fn voxc_r3_3_3_m2_2_2_intersect_level_1(volume: u32, ray: voxc_r3_3_3_m2_2_2_Ray
 }
 
 // What a voxel is: here its value is its colour.
-fn voxc_r3_3_3_m2_2_2_colour_of(volume: u32, walk: voxc_r3_3_3_m2_2_2_Walk) -> u32 {
-  return voxc_r3_3_3_m2_2_2_value_level_2(volume, walk.voxel, walk.cell);
+fn voxc_r3_3_3_m2_2_2_colour_of(volume: u32, traversal: voxc_r3_3_3_m2_2_2_Traversal) -> u32 {
+  return voxc_r3_3_3_m2_2_2_value_level_2(volume, traversal.voxel, traversal.cell);
 }
 

@@ -22,20 +22,20 @@
     return value_of_slot_level_2(grid, uint(rank));
   }
 
-  // True if a cell is full. Else the gap is as wide as the aligned group of eight cells around it, if they are all empty,
-  // or as the grid, if no cell is full that the ray may still come to.
-  bool is_full_level_2(uint grid, ivec3 cell, Gap &gap) {
+  // True if a cell is full. Else the empty span is as wide as the aligned group of eight cells around it, if they are all
+  // empty, or as the grid, if no cell is full that the ray may still come to.
+  bool is_full_level_2(uint grid, ivec3 cell, EmptySpan &span) {
     int number = number_level_2(cell);
     // Half of the mask tells of the group. To know more of four voxels a side takes longer than the steps that it would
     // save.
     uint half_mask = load_word(grid + uint(number >> 5));
-    gap.log2_side += (half_mask >> (number & 10) & 0x00330033u) == 0u ? 1 : 0;
+    span.log2_side += (half_mask >> (number & 10) & 0x00330033u) == 0u ? 1 : 0;
     return (half_mask >> (number & 31) & 1u) != 0u;
   }
 
   // The same, and the value of a cell that is full; 0 of one that is not.
-  uint look_up_level_2(uint grid, ivec3 cell, Gap &gap) {
-    return is_full_level_2(grid, cell, gap) ? value_level_2(grid, cell) : 0u;
+  uint look_up_level_2(uint grid, ivec3 cell, EmptySpan &span) {
+    return is_full_level_2(grid, cell, span) ? value_level_2(grid, cell) : 0u;
   }
 
   // The first value of the grid.
@@ -47,18 +47,18 @@
     return value == 0u ? 0u : sample_voxel(value);
   }
 
-  // Whether a walk is still in the sub-volume in which it began.
+  // Whether a traversal is still in the sub-volume in which it began.
   bool within_level_2(ivec3 begin, ivec3 cell) { return is_same_cube(begin, cell, LEVEL_2_LOG2_SIDE); }
 
-  bool intersect_level_2(const Ray &ray, Walk &walk, uint grid) {
-    ivec3 begin = walk.cell;
-    while (within_level_2(begin, walk.cell)) {
-      count_lookup(walk);
-      Gap gap = Gap(LEVEL_2_LOG2_CELL, 1);
-      uint value = look_up_level_2(grid, walk.cell >> LEVEL_2_LOG2_CELL, gap);
+  bool intersect_level_2(const Ray &ray, Traversal &traversal, uint grid) {
+    ivec3 begin = traversal.cell;
+    while (within_level_2(begin, traversal.cell)) {
+      count_lookup(traversal);
+      EmptySpan span = EmptySpan(LEVEL_2_LOG2_CELL, 1);
+      uint value = look_up_level_2(grid, traversal.cell >> LEVEL_2_LOG2_CELL, span);
       if (value == 0u) {
-        step_over(ray, walk, gap);
-      } else if (intersect_voxel(walk, value)) {
+        step_over(ray, traversal, span);
+      } else if (intersect_voxel(traversal, value)) {
         return true;
       }
     }
@@ -82,16 +82,16 @@
     return load_word(slot);
   }
 
-  bool intersect_level_1(const Ray &ray, Walk &walk, uint grid) {
-    while (goes_on(walk)) {
-      count_lookup(walk);
-      Gap gap = Gap(LEVEL_1_LOG2_CELL, 1);
-      uint value = cell_level_1(grid, walk.cell >> LEVEL_1_LOG2_CELL);
+  bool intersect_level_1(const Ray &ray, Traversal &traversal, uint grid) {
+    while (goes_on(traversal)) {
+      count_lookup(traversal);
+      EmptySpan span = EmptySpan(LEVEL_1_LOG2_CELL, 1);
+      uint value = cell_level_1(grid, traversal.cell >> LEVEL_1_LOG2_CELL);
       if (value == 0u) {
-        step_over(ray, walk, gap);
-      } else if (small_height(ray, walk) >= LEVEL_1_LOG2_CELL) {
-        return stop_with(walk, sample_level_2(value));
-      } else if (intersect_level_2(ray, walk, value)) {
+        step_over(ray, traversal, span);
+      } else if (small_height(ray, traversal) >= LEVEL_1_LOG2_CELL) {
+        return stop_with(traversal, sample_level_2(value));
+      } else if (intersect_level_2(ray, traversal, value)) {
         return true;
       }
     }
@@ -99,5 +99,5 @@
   }
 
   // What a voxel is: here its value is its colour.
-  uint colour_of(const Walk &walk) { return walk.voxel; }
+  uint colour_of(const Traversal &traversal) { return traversal.voxel; }
 

@@ -71,37 +71,38 @@ void voxc_r4_4_4_g8_umulExtended(uint a, uint b, out uint high, out uint low) {
 
 uint voxc_r4_4_4_g8_load_word(VOXC_VOLUME volume, uint place) { return VOXC_LOAD(volume, place); }
 
-// A ray, prepared for walking. Its members that are no integers are approximate; what must be exact is asked of the ray
-// as given.
+// A ray, prepared for the traversal. Its members that are no integers are approximate; what must be exact is asked of
+// the ray as given.
 struct voxc_r4_4_4_g8_Ray {
-  uint3 given_origin; // The bits of six float32 taken as exact numbers.
+  uint3 given_origin;     // The bits of six float32 taken as exact numbers.
   uint3 given_direction;
-  float3 origin;      // Where the traversal counts from: the given origin, or where a ray from far away enters.
+  float3 origin;          // Where the traversal counts from: the given origin, or where a ray from far away enters.
   // Scaled so that the longest component is in [1, 2). Where a coordinate never changes it is LEAST_COMPONENT: that
   // passes no face before another does. All t are those of this direction, from this origin.
   float3 direction;
   float3 inverse;
-  float3 late;        // By how much each t comes late that is counted from there.
-  float slack;        // What is wrong of a t, beside a few roundings.
-  float3 lowest;      // The least that is certain of the coordinates at the origin,
-  float doubt;        // and how much more any coordinate on the way may be, in voxels.
-  float certain;      // A coordinate that is at least this far below the next whole number is in its cell.
-  bool3 moves;        // False on an axis whose coordinate never changes.
-  bool3 falls;        // The coordinate falls.
-  bool plain;         // As given, it has no numbers but 0 and those whose significand has all its bits.
-  int3 heading;       // -1 where the coordinate falls, else 1.
-  float3 beyond;      // From a face that the ray passes to the cell behind it: -1 where the coordinate falls, else 0.
-  int3 ahead;         // No bits where the coordinate falls, else all: picks the face of a cube that lies ahead.
+  float3 late;            // By how much each t comes late that is counted from there.
+  float t_error;          // Absolute error bound of t, apart from a few rounding errors.
+  float3 origin_low;      // The least that is certain of the coordinates at the origin,
+  float coordinate_error; // and how much more any coordinate on the way may be, in voxels.
+  float cell_margin;      // A coordinate that is at least this far below the next whole number is in its cell.
+  bool3 moves;            // False on an axis whose coordinate never changes.
+  bool3 falls;            // The coordinate falls.
+  bool plain;             // As given, it has no numbers but 0 and those whose significand has all its bits.
+  int3 heading;           // -1 where the coordinate falls, else 1.
+  // From a face that the ray passes to the cell behind it: -1 where the coordinate falls, else 0.
+  float3 beyond;
+  int3 ahead;             // No bits where the coordinate falls, else all: picks the face of a cube that lies ahead.
 };
 
 // Empty cubes of 2^log2_side voxels a side: the one around a cell and, `count` a side, those that lie ahead of it.
-struct voxc_r4_4_4_g8_Gap {
+struct voxc_r4_4_4_g8_EmptySpan {
   int log2_side;
   int count;
 };
 
-voxc_r4_4_4_g8_Gap make_voxc_r4_4_4_g8_Gap(int log2_side, int count) {
-  voxc_r4_4_4_g8_Gap made;
+voxc_r4_4_4_g8_EmptySpan make_voxc_r4_4_4_g8_EmptySpan(int log2_side, int count) {
+  voxc_r4_4_4_g8_EmptySpan made;
   made.log2_side = log2_side;
   made.count = count;
   return made;
@@ -123,33 +124,35 @@ voxc_r4_4_4_g8_Exit make_voxc_r4_4_4_g8_Exit(float t, bool3 passed, bool sure) {
 }
 
 // Where a ray is: the first cell not yet proved empty. Each step moves it by at least one cell, and never back.
-struct voxc_r4_4_4_g8_Walk {
-  int3 cell;      // In voxels; outside the volume before and after the walk.
-  int axis;       // The axis on which the ray entered the cell; -1 where it started.
-  uint voxel;     // Where the voxel that was hit is to be had, as the lowest level finds it.
-  int steps_left; // There are no more cells on any ray; a walk with less than 0 is an error of the kernel's.
-  int open;       // A step over a gap around ~cell is left open: 32 times its count, and its log2_side. Else CLOSED.
-  int3 begin;     // A walk ends where it leaves the box of `size` cells from `begin` on.
+struct voxc_r4_4_4_g8_Traversal {
+  int3 cell;        // In voxels; outside the volume before and after the traversal.
+  int axis;         // The axis on which the ray entered the cell; -1 where it started.
+  uint voxel;       // Where the voxel that was hit is to be had, as the lowest level finds it.
+  int steps_left;   // There are no more cells on any ray; a traversal with less than 0 is an error of the kernel's.
+  // A step over an empty span around ~cell is pending: 32 times its count, and its log2_side. Else NO_PENDING_STEP.
+  int pending_step;
+  int3 begin;       // A traversal ends where it leaves the box of `size` cells from `begin` on.
   int3 size;
 };
 
-voxc_r4_4_4_g8_Walk make_voxc_r4_4_4_g8_Walk(int3 cell, int axis, uint voxel, int steps_left, int open, int3 begin,
-    int3 size) {
-  voxc_r4_4_4_g8_Walk made;
+voxc_r4_4_4_g8_Traversal make_voxc_r4_4_4_g8_Traversal(int3 cell, int axis, uint voxel, int steps_left,
+    int pending_step, int3 begin, int3 size) {
+  voxc_r4_4_4_g8_Traversal made;
   made.cell = cell;
   made.axis = axis;
   made.voxel = voxel;
   made.steps_left = steps_left;
-  made.open = open;
+  made.pending_step = pending_step;
   made.begin = begin;
   made.size = size;
   return made;
 }
 
-static const int voxc_r4_4_4_g8_CLOSED = -1;
-static const int voxc_r4_4_4_g8_AGAIN = -2; // The walk is to be gone on with, from its cell, by who settles.
+static const int voxc_r4_4_4_g8_NO_PENDING_STEP = -1;
+// The traversal is to be gone on with, from its cell, by the exact fallback.
+static const int voxc_r4_4_4_g8_RETRY = -2;
 
-static const float voxc_r4_4_4_g8_NEVER = 1e30f; // A t that no ray of a usual length comes to.
+static const float voxc_r4_4_4_g8_NEVER = 1e30f; // A t that no ray of an ordinary length comes to.
 
 // What is rounded on the way to a t, which is a difference, an inverse and a product. Where devices round to nearest,
 // eight roundings: the order of two t is certain beyond 7 roundings of the earlier, and a coordinate within 7 of how
@@ -157,41 +160,42 @@ static const float voxc_r4_4_4_g8_NEVER = 1e30f; // A t that no ray of a usual l
 // the order of two t is certain beyond 11, and a coordinate within 9.5.
 static const float voxc_r4_4_4_g8_ROUNDINGS = 12.0f / 8388608.0f;
 
-// A walk that is about to begin, or to go on.
-voxc_r4_4_4_g8_Walk voxc_r4_4_4_g8_walk_at(int3 cell) {
+// A traversal that is about to begin, or to go on.
+voxc_r4_4_4_g8_Traversal voxc_r4_4_4_g8_traversal_at(int3 cell) {
   int most_steps = voxc_r4_4_4_g8_VOLUME_SIZE.x + voxc_r4_4_4_g8_VOLUME_SIZE.y + voxc_r4_4_4_g8_VOLUME_SIZE.z;
-  return make_voxc_r4_4_4_g8_Walk(cell, -1, 0u, most_steps, voxc_r4_4_4_g8_CLOSED, (int3)0, voxc_r4_4_4_g8_VOLUME_SIZE);
+  return make_voxc_r4_4_4_g8_Traversal(cell, -1, 0u, most_steps, voxc_r4_4_4_g8_NO_PENDING_STEP, (int3)0,
+      voxc_r4_4_4_g8_VOLUME_SIZE);
 }
 
-// Ends a walk that takes more steps than any can.
-void voxc_r4_4_4_g8_count_step(inout voxc_r4_4_4_g8_Walk walk) {
-  walk.steps_left--;
-  walk.cell.x |= walk.steps_left >> 31; // All bits: outside, whatever follows.
+// Ends a traversal that takes more steps than any can.
+void voxc_r4_4_4_g8_count_step(inout voxc_r4_4_4_g8_Traversal traversal) {
+  traversal.steps_left--;
+  traversal.cell.x |= traversal.steps_left >> 31; // All bits: outside, whatever follows.
 }
 
 bool voxc_r4_4_4_g8_is_in_volume(int3 cell) { return all(uint3(cell) < uint3(voxc_r4_4_4_g8_VOLUME_SIZE)); }
 
-// Whether a walk is in the box in which it may find something.
-bool voxc_r4_4_4_g8_is_in_reach(const voxc_r4_4_4_g8_Walk walk) {
-  return all(uint3(walk.cell - walk.begin) < uint3(walk.size));
+// Whether a traversal is in the box in which it may find something.
+bool voxc_r4_4_4_g8_is_in_reach(const voxc_r4_4_4_g8_Traversal traversal) {
+  return all(uint3(traversal.cell - traversal.begin) < uint3(traversal.size));
 }
 
-// Whether a walk has more to see here.
-bool voxc_r4_4_4_g8_goes_on(const voxc_r4_4_4_g8_Walk walk) { return voxc_r4_4_4_g8_is_in_reach(walk); }
+// Whether a traversal has more to see here.
+bool voxc_r4_4_4_g8_goes_on(const voxc_r4_4_4_g8_Traversal traversal) { return voxc_r4_4_4_g8_is_in_reach(traversal); }
 
 // The low corner of the aligned cube of 2^log2_side voxels a side around a cell.
 int3 voxc_r4_4_4_g8_corner_of(int3 cell, int log2_side) { return (cell >> log2_side) << log2_side; }
 
-// The low corner of the cube of a gap around a cell.
-int3 voxc_r4_4_4_g8_corner_of(const voxc_r4_4_4_g8_Ray ray, int3 cell, const voxc_r4_4_4_g8_Gap gap) {
-  return voxc_r4_4_4_g8_corner_of(cell, gap.log2_side) - (~ray.ahead & ((gap.count - 1) << gap.log2_side));
+// The low corner of the cube of an empty span around a cell.
+int3 voxc_r4_4_4_g8_corner_of(const voxc_r4_4_4_g8_Ray ray, int3 cell, const voxc_r4_4_4_g8_EmptySpan span) {
+  return voxc_r4_4_4_g8_corner_of(cell, span.log2_side) - (~ray.ahead & ((span.count - 1) << span.log2_side));
 }
 
-// The faces of a gap around a cell that lie ahead.
-int3 voxc_r4_4_4_g8_faces_ahead(const voxc_r4_4_4_g8_Ray ray, int3 cell, const voxc_r4_4_4_g8_Gap gap) {
-  int side = 1 << gap.log2_side;
-  // From the cube's low face to that of the gap, where the coordinate falls.
-  int back = side - (gap.count << gap.log2_side);
+// The faces of an empty span around a cell that lie ahead.
+int3 voxc_r4_4_4_g8_faces_ahead(const voxc_r4_4_4_g8_Ray ray, int3 cell, const voxc_r4_4_4_g8_EmptySpan span) {
+  int side = 1 << span.log2_side;
+  // From the cube's low face to that of the empty span, where the coordinate falls.
+  int back = side - (span.count << span.log2_side);
   return (cell & -side) + back + (ray.ahead & (side - back - back));
 }
 
@@ -398,7 +402,7 @@ int voxc_r4_4_4_g8_compare_exactly(const voxc_r4_4_4_g8_Ray ray, int a, int face
   return ray.falls[a] == ray.falls[b] ? order : -order;
 }
 
-// The same, by doubles where they can tell.
+// The same, by doubles where they can decide.
 int voxc_r4_4_4_g8_compare_crossings(const voxc_r4_4_4_g8_Ray ray, int a, int face_a, int b, int face_b) {
   return voxc_r4_4_4_g8_compare_exactly(ray, a, face_a, b, face_b);
 }
@@ -423,7 +427,7 @@ void voxc_r4_4_4_g8_narrow(const voxc_r4_4_4_g8_Ray ray, const voxc_r4_4_4_g8_Cr
 }
 
 // Narrows a range down, on each axis, to the cell that the ray is in once a crossing has happened.
-int3 voxc_r4_4_4_g8_settle(const voxc_r4_4_4_g8_Ray ray, const voxc_r4_4_4_g8_Crossing crossing,
+int3 voxc_r4_4_4_g8_resolve_cell(const voxc_r4_4_4_g8_Ray ray, const voxc_r4_4_4_g8_Crossing crossing,
     const voxc_r4_4_4_g8_Range candidates) {
   voxc_r4_4_4_g8_Range range = candidates;
   while (any(range.least != (range.most))) {
@@ -438,46 +442,47 @@ int3 voxc_r4_4_4_g8_settle(const voxc_r4_4_4_g8_Ray ray, const voxc_r4_4_4_g8_Cr
 // What can be told, without integers, of the cell, within a range, that the ray is in once a crossing has happened.
 voxc_r4_4_4_g8_Range voxc_r4_4_4_g8_approximate_cell(const voxc_r4_4_4_g8_Ray ray,
     const voxc_r4_4_4_g8_Crossing crossing, const voxc_r4_4_4_g8_Range range) {
-  float3 point_ = ray.lowest + crossing.t * ray.direction;
-  float3 doubt = voxc_r4_4_4_g8_mix((float3)0.0f, (float3)ray.doubt, ray.moves);
+  float3 point_ = ray.origin_low + crossing.t * ray.direction;
+  float3 bound = voxc_r4_4_4_g8_mix((float3)0.0f, (float3)ray.coordinate_error, ray.moves);
   float3 least = float3(range.least);
   float3 most = float3(range.most);
-  return make_voxc_r4_4_4_g8_Range(int3(clamp(floor(point_), least, most)), int3(clamp(floor(point_ + doubt), least,
+  return make_voxc_r4_4_4_g8_Range(int3(clamp(floor(point_), least, most)), int3(clamp(floor(point_ + bound), least,
       most)));
 }
 
-// Steps that are exact for every ray: by float32 or doubles where these can tell, by integers elsewhere.
+// Steps that are exact for every ray: by float32 or doubles where these can decide, by integers elsewhere.
 
-// How the ray leaves cells through the first of the faces ahead. Not sure if its t cannot tell which that is.
+// How the ray leaves cells through the first of the faces ahead. Not sure if its t cannot decide which that is.
 voxc_r4_4_4_g8_Exit voxc_r4_4_4_g8_leave(const voxc_r4_4_4_g8_Ray ray, float3 face) {
   float3 t = voxc_r4_4_4_g8_times_of(ray, face);
   float first = voxc_r4_4_4_g8_least_of(t);
   float second = voxc_r4_4_4_g8_second_least_of(t); // Of negative ones, none that is sure.
   return make_voxc_r4_4_4_g8_Exit(first, t == (float3)first,
-      second > first + (first * voxc_r4_4_4_g8_ROUNDINGS + ray.slack));
+      second > first + (first * voxc_r4_4_4_g8_ROUNDINGS + ray.t_error));
 }
 
 // The cell that a ray comes to where it leaves others, of which `cell` is one, by one of the faces ahead. Not sure if
-// its point cannot tell on which side of another face that is.
+// its point cannot decide on which side of another face that is.
 int3 voxc_r4_4_4_g8_cell_beyond(const voxc_r4_4_4_g8_Ray ray, float3 face, inout voxc_r4_4_4_g8_Exit leaving) {
-  float3 point_ = voxc_r4_4_4_g8_mix(ray.lowest + leaving.t * ray.direction, face + ray.beyond, leaving.passed);
+  float3 point_ = voxc_r4_4_4_g8_mix(ray.origin_low + leaving.t * ray.direction, face + ray.beyond, leaving.passed);
   float3 whole = floor(point_);
-  bool is_certain = voxc_r4_4_4_g8_greatest_of(point_ - whole) < ray.certain;
+  bool is_certain = voxc_r4_4_4_g8_greatest_of(point_ - whole) < ray.cell_margin;
   leaving.sure = leaving.sure && is_certain;
   return int3(whole);
 }
 
-// Settles the step over the gap around the walk's cell: which faces the ray passes first, of those that float32 cannot
-// tell apart, and then by bisection to which cell it comes. All questions are asked at one place, since devices of wide
-// vectors run through it as often as any ray needs it. Where the device cuts it short, the walk stays where it is.
-voxc_r4_4_4_g8_Walk voxc_r4_4_4_g8_settled(const voxc_r4_4_4_g8_Ray ray, voxc_r4_4_4_g8_Walk walk,
-    const voxc_r4_4_4_g8_Gap gap) {
-  int side = gap.count << gap.log2_side;
-  int3 corner = voxc_r4_4_4_g8_corner_of(ray, walk.cell, gap);
+// Resolves the step over the empty span around the traversal's cell: which faces the ray passes first, of those that
+// float32 cannot decide apart, and then by bisection to which cell it comes. All questions are asked at one place,
+// since devices of wide vectors run through it as often as any ray needs it. Where the device cuts it short, the
+// traversal stays where it is.
+voxc_r4_4_4_g8_Traversal voxc_r4_4_4_g8_exact_step(const voxc_r4_4_4_g8_Ray ray, voxc_r4_4_4_g8_Traversal traversal,
+    const voxc_r4_4_4_g8_EmptySpan span) {
+  int side = span.count << span.log2_side;
+  int3 corner = voxc_r4_4_4_g8_corner_of(ray, traversal.cell, span);
   int3 face = corner + (ray.ahead & side);
   float3 t = voxc_r4_4_4_g8_times_of(ray, float3(face));
   float earliest = min(min(t.x, t.y), t.z);
-  bool3 may_be_first = t <= (float3)(earliest + (earliest * voxc_r4_4_4_g8_ROUNDINGS + ray.slack));
+  bool3 may_be_first = t <= (float3)(earliest + (earliest * voxc_r4_4_4_g8_ROUNDINGS + ray.t_error));
   int3 bits = int3(may_be_first) * int3(ray.moves);
   int axes = bits.x | bits.y << 1 | bits.z << 2;
   int first = int(firstbitlow(uint(axes)));
@@ -511,58 +516,61 @@ voxc_r4_4_4_g8_Walk voxc_r4_4_4_g8_settled(const voxc_r4_4_4_g8_Ray ray, voxc_r4
     }
   }
   if (all(range.least == (range.most))) {
-    walk.cell = range.least;
-    walk.axis = crossing.axis;
+    traversal.cell = range.least;
+    traversal.axis = crossing.axis;
   }
-  return walk;
+  return traversal;
 }
 
-// Settles the step of a walk that was left open.
-void voxc_r4_4_4_g8_settle_step(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk) {
-  voxc_r4_4_4_g8_Gap gap = make_voxc_r4_4_4_g8_Gap(walk.open & 31, walk.open >> 5);
-  walk.open = voxc_r4_4_4_g8_CLOSED;
-  walk.cell = ~walk.cell;
-  walk = voxc_r4_4_4_g8_settled(ray, walk, gap);
+// Resolves the step of a traversal that is pending.
+void voxc_r4_4_4_g8_resolve_step(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Traversal traversal) {
+  voxc_r4_4_4_g8_EmptySpan span = make_voxc_r4_4_4_g8_EmptySpan(traversal.pending_step & 31,
+      traversal.pending_step >> 5);
+  traversal.pending_step = voxc_r4_4_4_g8_NO_PENDING_STEP;
+  traversal.cell = ~traversal.cell;
+  traversal = voxc_r4_4_4_g8_exact_step(ray, traversal, span);
 }
 
 // Steps from one cell of the ray to the next.
 
-// Ends a step over the gap around the walk's cell, or over that and more, which leads to another cell if that is sure.
-void voxc_r4_4_4_g8_end_step(inout voxc_r4_4_4_g8_Walk walk, const voxc_r4_4_4_g8_Exit leaving, int3 cell,
-    const voxc_r4_4_4_g8_Gap gap) {
-  walk.axis = leaving.passed.z ? 2 : leaving.passed.y ? 1 : 0;
+// Ends a step over the empty span around the traversal's cell, or over that and more, which leads to another cell if
+// that is sure.
+void voxc_r4_4_4_g8_end_step(inout voxc_r4_4_4_g8_Traversal traversal, const voxc_r4_4_4_g8_Exit leaving, int3 cell,
+    const voxc_r4_4_4_g8_EmptySpan span) {
+  traversal.axis = leaving.passed.z ? 2 : leaving.passed.y ? 1 : 0;
   bool sure = leaving.sure;
-  // A step that is not sure is left open, and all loops end: what settles it stands outside of them, where lanes
+  // A step that is not sure is left pending, and all loops end: what resolves it stands outside of them, where lanes
   // that are sure need not wait for it.
-  walk.cell = sure ? cell : ~walk.cell; // The next turn may read what is there before it is known if the step is sure.
-  walk.open = sure ? voxc_r4_4_4_g8_CLOSED : gap.count << 5 | gap.log2_side;
-  voxc_r4_4_4_g8_count_step(walk);
+  // The next turn may read what is there before it is known if the step is sure.
+  traversal.cell = sure ? cell : ~traversal.cell;
+  traversal.pending_step = sure ? voxc_r4_4_4_g8_NO_PENDING_STEP : span.count << 5 | span.log2_side;
+  voxc_r4_4_4_g8_count_step(traversal);
 }
 
-// Steps over the gap around the walk's cell, of which these faces lie ahead.
-void voxc_r4_4_4_g8_step_over(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk,
-    const voxc_r4_4_4_g8_Gap gap, float3 face) {
+// Steps over the empty span around the traversal's cell, of which these faces lie ahead.
+void voxc_r4_4_4_g8_step_over(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Traversal traversal,
+    const voxc_r4_4_4_g8_EmptySpan span, float3 face) {
   voxc_r4_4_4_g8_Exit leaving = voxc_r4_4_4_g8_leave(ray, face);
   int3 cell = voxc_r4_4_4_g8_cell_beyond(ray, face, leaving);
-  voxc_r4_4_4_g8_end_step(walk, leaving, cell, gap);
+  voxc_r4_4_4_g8_end_step(traversal, leaving, cell, span);
 }
 
-// Steps over the gap around the walk's cell.
-void voxc_r4_4_4_g8_step_over(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk,
-    const voxc_r4_4_4_g8_Gap gap) {
-  voxc_r4_4_4_g8_step_over(ray, walk, gap, float3(voxc_r4_4_4_g8_faces_ahead(ray, walk.cell, gap)));
+// Steps over the empty span around the traversal's cell.
+void voxc_r4_4_4_g8_step_over(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Traversal traversal,
+    const voxc_r4_4_4_g8_EmptySpan span) {
+  voxc_r4_4_4_g8_step_over(ray, traversal, span, float3(voxc_r4_4_4_g8_faces_ahead(ray, traversal.cell, span)));
 }
 
-// Steps over the empty cube of 2^log2_side voxels a side around the walk's cell.
-void voxc_r4_4_4_g8_step_over(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk, int log2_side) {
-  voxc_r4_4_4_g8_step_over(ray, walk, make_voxc_r4_4_4_g8_Gap(log2_side, 1));
+// Steps over the empty cube of 2^log2_side voxels a side around the traversal's cell.
+void voxc_r4_4_4_g8_step_over(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Traversal traversal, int log2_side) {
+  voxc_r4_4_4_g8_step_over(ray, traversal, make_voxc_r4_4_4_g8_EmptySpan(log2_side, 1));
 }
 
-// Steps from the walk's voxel, which is empty, to the next.
-void voxc_r4_4_4_g8_step_over_voxel(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk) {
-  voxc_r4_4_4_g8_Exit leaving = voxc_r4_4_4_g8_leave(ray, float3(walk.cell - ray.ahead));
-  voxc_r4_4_4_g8_end_step(walk, leaving, walk.cell + voxc_r4_4_4_g8_mix((int3)0, ray.heading, leaving.passed),
-      make_voxc_r4_4_4_g8_Gap(0, 1));
+// Steps from the traversal's voxel, which is empty, to the next.
+void voxc_r4_4_4_g8_step_over_voxel(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Traversal traversal) {
+  voxc_r4_4_4_g8_Exit leaving = voxc_r4_4_4_g8_leave(ray, float3(traversal.cell - ray.ahead));
+  voxc_r4_4_4_g8_end_step(traversal, leaving, traversal.cell + voxc_r4_4_4_g8_mix((int3)0, ray.heading, leaving.passed),
+      make_voxc_r4_4_4_g8_EmptySpan(0, 1));
 }
 
 // Rays that begin far away, whose numbers would be too wrong to tell anything of a volume: they are moved along
@@ -584,16 +592,16 @@ float voxc_r4_4_4_g8_far_away() {
 
 // What is known of a ray that may have been moved.
 struct voxc_r4_4_4_g8_Start {
-  bool is_far; // It still begins far away, and float32 tells nothing of it.
-  float wrong; // What may be wrong of its coordinates, beside a few roundings,
-  float slack; // and of a t.
+  bool is_far;   // It still begins far away, and float32 tells nothing of it.
+  float wrong;   // What may be wrong of its coordinates, beside a few roundings,
+  float t_error; // and of a t.
 };
 
-voxc_r4_4_4_g8_Start make_voxc_r4_4_4_g8_Start(bool is_far, float wrong, float slack) {
+voxc_r4_4_4_g8_Start make_voxc_r4_4_4_g8_Start(bool is_far, float wrong, float t_error) {
   voxc_r4_4_4_g8_Start made;
   made.is_far = is_far;
   made.wrong = wrong;
-  made.slack = slack;
+  made.t_error = t_error;
   return made;
 }
 
@@ -646,27 +654,27 @@ voxc_r4_4_4_g8_Start voxc_r4_4_4_g8_come_near(inout voxc_r4_4_4_g8_Ray ray, floa
   // A t is rounded once more by what comes late, and none in the volume is above that of its last entry and the longest
   // side, which is half of what is far.
   steep = voxc_r4_4_4_g8_mix((float3)0.0f, steep, ray.moves);
-  start.slack = 2.0f * start.wrong * max(max(steep.x, steep.y),
+  start.t_error = 2.0f * start.wrong * max(max(steep.x, steep.y),
       steep.z) + (latest + 0.5f * voxc_r4_4_4_g8_far_away()) * voxc_r4_4_4_g8_ROUNDINGS / 4.0f;
   start.wrong += voxc_r4_4_4_g8_far_away() / 4194304.0f; // What is behind, and that rounding.
   return start;
 }
 
-// Where a walk begins: in the cell of the ray's origin, or in the first cell of the volume that the ray comes to.
+// Where a traversal begins: in the cell of the ray's origin, or in the first cell of the volume that the ray comes to.
 
 static const float voxc_r4_4_4_g8_CLOSE = 1.0f / 2048.0f; // In voxels.
 
-// Bounds what float32 gets wrong in a walk through the volume, where the origin itself is wrong by `of_origin`, and a t
-// by `slack`. A coordinate that never changes stays in its cell.
-void voxc_r4_4_4_g8_bound_errors(inout voxc_r4_4_4_g8_Ray ray, float3 cell, float of_origin, float slack) {
+// Bounds what float32 gets wrong in a traversal through the volume, where the origin itself is wrong by `of_origin`,
+// and a t by `t_error`. A coordinate that never changes stays in its cell.
+void voxc_r4_4_4_g8_bound_errors(inout voxc_r4_4_4_g8_Ray ray, float3 cell, float of_origin, float t_error) {
   float3 half_size = 0.5f * float3(voxc_r4_4_4_g8_VOLUME_SIZE);
   float3 reach = abs(ray.origin - half_size) + half_size; // To the farther of the volume's two faces.
   float error = voxc_r4_4_4_g8_greatest_of(reach) * voxc_r4_4_4_g8_ROUNDINGS + of_origin;
-  error = min(error + 2.0f * slack, voxc_r4_4_4_g8_NEVER);
-  ray.slack = slack;
-  ray.lowest = voxc_r4_4_4_g8_mix(cell + 0.25f, ray.origin - error, ray.moves);
-  ray.doubt = 2.0f * error;
-  ray.certain = 1.0f - ray.doubt;
+  error = min(error + 2.0f * t_error, voxc_r4_4_4_g8_NEVER);
+  ray.t_error = t_error;
+  ray.origin_low = voxc_r4_4_4_g8_mix(cell + 0.25f, ray.origin - error, ray.moves);
+  ray.coordinate_error = 2.0f * error;
+  ray.cell_margin = 1.0f - ray.coordinate_error;
 }
 
 // True where the ray moves from a coordinate so close to 0 that it may pass that face before float32 says so, as scaled
@@ -725,10 +733,10 @@ void voxc_r4_4_4_g8_start_at(inout voxc_r4_4_4_g8_Ray ray, int3 cell, int axis, 
   voxc_r4_4_4_g8_bound_errors(ray, float3(cell), error, 2.0f * error * max(max(steep.x, steep.y), steep.z));
 }
 
-// Puts a walk into the cell that the ray comes to where it passes a face, in exact arithmetic. `cell` tells the
+// Puts a traversal into the cell that the ray comes to where it passes a face, in exact arithmetic. `cell` tells the
 // coordinates that never change.
-voxc_r4_4_4_g8_Walk voxc_r4_4_4_g8_behind_face(const voxc_r4_4_4_g8_Ray ray, voxc_r4_4_4_g8_Walk walk, int3 cell,
-    int axis, int face) {
+voxc_r4_4_4_g8_Traversal voxc_r4_4_4_g8_behind_face(const voxc_r4_4_4_g8_Ray ray, voxc_r4_4_4_g8_Traversal traversal,
+    int3 cell, int axis, int face) {
   voxc_r4_4_4_g8_Crossing crossing;
   crossing.t = (float(face) - ray.origin[axis]) * ray.inverse[axis] - ray.late[axis];
   crossing.axis = axis;
@@ -740,39 +748,39 @@ voxc_r4_4_4_g8_Walk voxc_r4_4_4_g8_behind_face(const voxc_r4_4_4_g8_Ray ray, vox
   range.least[axis] = range.most[axis];
   range = voxc_r4_4_4_g8_approximate_cell(ray, crossing, range);
   int3 behind = range.least;
-  behind = voxc_r4_4_4_g8_settle(ray, crossing, range);
-  walk.cell = behind;
-  walk.axis = axis;
-  return walk;
+  behind = voxc_r4_4_4_g8_resolve_cell(ray, crossing, range);
+  traversal.cell = behind;
+  traversal.axis = axis;
+  return traversal;
 }
 
 // Finds the cell in which the ray enters the volume, in exact arithmetic: that of its origin, or through the last of
 // the faces that it must pass. A cell outside if there is none.
-voxc_r4_4_4_g8_Walk voxc_r4_4_4_g8_entered_exactly(inout voxc_r4_4_4_g8_Ray ray, voxc_r4_4_4_g8_Walk walk,
-    bool starts_far) {
+voxc_r4_4_4_g8_Traversal voxc_r4_4_4_g8_entered_exactly(inout voxc_r4_4_4_g8_Ray ray,
+    voxc_r4_4_4_g8_Traversal traversal, bool starts_far) {
   int3 cell = voxc_r4_4_4_g8_floor_of(ray.given_origin);
   int3 below = int3(cell < (int3)0);
   int3 above = int3(cell >= voxc_r4_4_4_g8_VOLUME_SIZE);
   int3 enters = below * (int3(ray.moves) - int3(ray.falls)) + above * int3(ray.falls);
-  walk.cell = cell;
+  traversal.cell = cell;
   if (all(enters == ((int3)0)) || any(enters != (below + above)))
-    return walk;
+    return traversal;
   int3 face = voxc_r4_4_4_g8_mix((int3)0, voxc_r4_4_4_g8_VOLUME_SIZE, ray.falls);
   int axis = voxc_r4_4_4_g8_last_entered(ray, enters > (int3)0, face);
   if (starts_far)
     voxc_r4_4_4_g8_start_at(ray, cell, axis, face[axis]);
-  return voxc_r4_4_4_g8_behind_face(ray, walk, cell, axis, face[axis]);
+  return voxc_r4_4_4_g8_behind_face(ray, traversal, cell, axis, face[axis]);
 }
 
 // The same by float32 or doubles, of an ordinary ray: it passes the last of these faces, or is past all of them. Not
-// sure if that cannot tell which face is the last, or which cell is behind it.
-voxc_r4_4_4_g8_Walk voxc_r4_4_4_g8_entered(const voxc_r4_4_4_g8_Ray ray, voxc_r4_4_4_g8_Walk walk, float3 face,
-    inout bool sure) {
+// sure if that cannot decide which face is the last, or which cell is behind it.
+voxc_r4_4_4_g8_Traversal voxc_r4_4_4_g8_entered(const voxc_r4_4_4_g8_Ray ray, voxc_r4_4_4_g8_Traversal traversal,
+    float3 face, inout bool sure) {
   // 2^48: a ray of a voxel a moment is past the volume by then, whatever enters last.
   const float LATEST = 281474976710656.0f;
   // A coordinate that never changes stays outside.
   float3 t = voxc_r4_4_4_g8_mix((float3)-1.0f, voxc_r4_4_4_g8_times_of(ray, face), ray.moves);
-  bool is_as_given = ray.slack == 0.0f; // Else it has come near, and does not begin here.
+  bool is_as_given = ray.t_error == 0.0f; // Else it has come near, and does not begin here.
   // From a last face, which is not in the volume, a ray enters at 0; its t is a 0 with a sign.
   float3 last_face = voxc_r4_4_4_g8_mix((float3)voxc_r4_4_4_g8_NEVER, face, ray.falls);
   bool3 on_face = ray.origin == (is_as_given ? last_face : (float3)voxc_r4_4_4_g8_NEVER);
@@ -781,16 +789,16 @@ voxc_r4_4_4_g8_Walk voxc_r4_4_4_g8_entered(const voxc_r4_4_4_g8_Ray ray, voxc_r4
   float before = voxc_r4_4_4_g8_second_least_of(t);
   bool3 passed = t == (float3)latest;
   bool begins_here = !(latest > 0.0f) && is_as_given && !any(on_face);
-  float3 point_ = voxc_r4_4_4_g8_mix(ray.lowest + latest * ray.direction, face + ray.beyond, passed);
+  float3 point_ = voxc_r4_4_4_g8_mix(ray.origin_low + latest * ray.direction, face + ray.beyond, passed);
   point_ = begins_here ? ray.origin : point_;
   float3 whole = floor(point_);
-  bool is_last = before < latest - (latest * voxc_r4_4_4_g8_ROUNDINGS + ray.slack);
-  bool is_certain = voxc_r4_4_4_g8_greatest_of(point_ - whole) < ray.certain;
+  bool is_last = before < latest - (latest * voxc_r4_4_4_g8_ROUNDINGS + ray.t_error);
+  bool is_certain = voxc_r4_4_4_g8_greatest_of(point_ - whole) < ray.cell_margin;
   bool is_sure = begins_here || (is_last && is_certain);
   sure = sure && is_sure;
-  walk.cell = int3(clamp(whole, -1.0f, 4194304.0f));
-  walk.axis = begins_here ? -1 : passed.x ? 0 : passed.y ? 1 : 2;
-  return walk;
+  traversal.cell = int3(clamp(whole, -1.0f, 4194304.0f));
+  traversal.axis = begins_here ? -1 : passed.x ? 0 : passed.y ? 1 : 2;
+  return traversal;
 }
 
 // True if a coordinate is past the volume, and goes on.
@@ -800,36 +808,37 @@ bool voxc_r4_4_4_g8_leaves_volume(const voxc_r4_4_4_g8_Ray ray) {
   return any(voxc_r4_4_4_g8_mix(above, below, ray.falls) != ((int3)0));
 }
 
-// Puts the walk into the first cell of the volume on the ray; false if there is none, or if the ray is left.
-bool voxc_r4_4_4_g8_enter_volume(inout voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk, bool ordinary) {
+// Puts the traversal into the first cell of the volume on the ray; false if there is none, or if the ray is left.
+bool voxc_r4_4_4_g8_enter_volume(inout voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Traversal traversal,
+    bool ordinary) {
   if (ordinary && voxc_r4_4_4_g8_leaves_volume(ray))
     return false;
   float3 face = voxc_r4_4_4_g8_mix((float3)0.0f, float3(voxc_r4_4_4_g8_VOLUME_SIZE), ray.falls);
   float3 cell = floor(ray.origin);
   voxc_r4_4_4_g8_Start near = voxc_r4_4_4_g8_come_near(ray, face);
   if (!ordinary && any(voxc_r4_4_4_g8_starts_tiny(ray)))
-    near.slack = voxc_r4_4_4_g8_NEVER;
-  voxc_r4_4_4_g8_bound_errors(ray, cell, near.wrong, near.slack);
-  bool has_begun = voxc_r4_4_4_g8_is_in_volume(walk.cell) || walk.open >= 0;
+    near.t_error = voxc_r4_4_4_g8_NEVER;
+  voxc_r4_4_4_g8_bound_errors(ray, cell, near.wrong, near.t_error);
+  bool has_begun = voxc_r4_4_4_g8_is_in_volume(traversal.cell) || traversal.pending_step >= 0;
   if (has_begun && !near.is_far)
     return true; // Where it has entered need not be found again.
   bool sure = ordinary && !near.is_far;
-  voxc_r4_4_4_g8_Walk start = voxc_r4_4_4_g8_entered(ray, walk, face, sure);
+  voxc_r4_4_4_g8_Traversal start = voxc_r4_4_4_g8_entered(ray, traversal, face, sure);
   if (!sure) {
     // What a function may change by reference stands in memory; the ray itself need not.
     voxc_r4_4_4_g8_Ray moved = ray;
-    start = voxc_r4_4_4_g8_entered_exactly(moved, walk, near.is_far);
+    start = voxc_r4_4_4_g8_entered_exactly(moved, traversal, near.is_far);
     ray = moved;
   }
-  walk = start;
-  return voxc_r4_4_4_g8_is_in_volume(walk.cell);
+  traversal = start;
+  return voxc_r4_4_4_g8_is_in_volume(traversal.cell);
 }
 
-// A ray as given, made ready for walking.
+// A ray as given, made ready for the traversal.
 
 static const float voxc_r4_4_4_g8_LEAST_COMPONENT = 1.0f / 1099511627776.0f / 1099511627776.0f; // 2^-80.
 
-// Most rays are ordinary: float32 walks with them as they are, and nothing overflows or is lost on the way. Their
+// Most rays are ordinary: float32 traverses with them as they are, and nothing overflows or is lost on the way. Their
 // direction is scaled without a rounding, all numbers of theirs are then 0 or at least 2^-80, and they begin within
 // 2^45 voxels, or near the volume if rays from far away are not moved. `longest` has the bits of the direction's
 // longest component, and `component` is the direction once it is scaled.
@@ -894,17 +903,17 @@ voxc_r4_4_4_g8_Ray voxc_r4_4_4_g8_prepare_ray(uint3 origin, uint3 direction, out
   return ray;
 }
 
-// From a ray to its walk, and the end of the walk.
+// From a ray to its traversal, and the end of the traversal.
 
 // A ray that goes nowhere can hit its own cell alone: it is let go anywhere, and takes no later hit.
 bool voxc_r4_4_4_g8_goes_nowhere(uint3 direction) {
   return ((direction.x | direction.y | direction.z) & ~voxc_r4_4_4_g8_SIGN_BIT) == 0u;
 }
 
-// Makes a ray ready, and its walk too, if that has not begun. False if there is nothing to walk through, or if the ray
-// is left.
-bool voxc_r4_4_4_g8_begin_walk(uint3 origin, uint3 direction, uint root, out voxc_r4_4_4_g8_Ray ray,
-    inout voxc_r4_4_4_g8_Walk walk) {
+// Makes a ray ready, and its traversal too, if that has not begun. False if there is nothing to go through, or if the
+// ray is left.
+bool voxc_r4_4_4_g8_begin_traversal(uint3 origin, uint3 direction, uint root, out voxc_r4_4_4_g8_Ray ray,
+    inout voxc_r4_4_4_g8_Traversal traversal) {
   bool stays = voxc_r4_4_4_g8_goes_nowhere(direction);
   bool ordinary;
   ray = voxc_r4_4_4_g8_prepare_ray(origin, stays ? uint3(asuint(1.0f), 0u, 0u) : direction, ordinary);
@@ -912,23 +921,24 @@ bool voxc_r4_4_4_g8_begin_walk(uint3 origin, uint3 direction, uint root, out vox
     return false;
   if (!(voxc_r4_4_4_g8_are_finite(origin) && voxc_r4_4_4_g8_are_finite(direction)))
     return false;
-  voxc_r4_4_4_g8_Walk start = walk;
+  voxc_r4_4_4_g8_Traversal start = traversal;
   bool enters = voxc_r4_4_4_g8_enter_volume(ray, start, ordinary);
-  bool may_have_begun = true; // A dispatch that does not settle begins all its rays.
-  bool has_begun = may_have_begun && (voxc_r4_4_4_g8_is_in_volume(walk.cell) || walk.open != voxc_r4_4_4_g8_CLOSED);
+  bool may_have_begun = true; // A dispatch without the exact fallback begins all its rays.
+  bool has_begun = may_have_begun && (voxc_r4_4_4_g8_is_in_volume(traversal.cell)
+      || traversal.pending_step != voxc_r4_4_4_g8_NO_PENDING_STEP);
   if (!enters || !has_begun)
-    walk = start;
+    traversal = start;
   return enters;
 }
 
-// What becomes of a hit: a ray that goes nowhere loses what is not in its own cell, once its walk has begun.
-bool voxc_r4_4_4_g8_end_walk(uint3 origin, uint3 direction, inout voxc_r4_4_4_g8_Walk walk, bool hit) {
+// What becomes of a hit: a ray that goes nowhere loses what is not in its own cell, once its traversal has begun.
+bool voxc_r4_4_4_g8_end_traversal(uint3 origin, uint3 direction, inout voxc_r4_4_4_g8_Traversal traversal, bool hit) {
   bool may_stay = true; // Packets go on with rays that exact arithmetic has prepared.
-  if (!may_stay || !voxc_r4_4_4_g8_goes_nowhere(direction) || walk.open == voxc_r4_4_4_g8_AGAIN
-      || all(walk.cell == (voxc_r4_4_4_g8_floor_of(origin))))
+  if (!may_stay || !voxc_r4_4_4_g8_goes_nowhere(direction) || traversal.pending_step == voxc_r4_4_4_g8_RETRY
+      || all(traversal.cell == (voxc_r4_4_4_g8_floor_of(origin))))
     return hit;
-  walk.cell = (int3)-1;
-  walk.open = voxc_r4_4_4_g8_CLOSED;
+  traversal.cell = (int3)-1;
+  traversal.pending_step = voxc_r4_4_4_g8_NO_PENDING_STEP;
   return false;
 }
 
@@ -1079,7 +1089,7 @@ uint voxc_r4_4_4_g8_time_exactly(const voxc_r4_4_4_g8_Ray ray, int axis, int fac
 }
 
 // The same, as fast as it can be told. Where a device promises little of its arithmetic, integers tell it of every hit:
-// a dispatch that does not settle would leave each of them to one that does.
+// a dispatch that does not resolve would defer each of them to one with it.
 uint voxc_r4_4_4_g8_crossing_time(const voxc_r4_4_4_g8_Ray ray, int axis, int face, out bool sure) {
   sure = false;
   uint bits = 0u;
@@ -1091,8 +1101,8 @@ uint voxc_r4_4_4_g8_crossing_time(const voxc_r4_4_4_g8_Ray ray, int axis, int fa
 }
 
 // The face through which the ray entered its cell.
-int voxc_r4_4_4_g8_entered_face(const voxc_r4_4_4_g8_Ray ray, const voxc_r4_4_4_g8_Walk walk) {
-  return walk.cell[walk.axis] + (ray.falls[walk.axis] ? 1 : 0);
+int voxc_r4_4_4_g8_entered_face(const voxc_r4_4_4_g8_Ray ray, const voxc_r4_4_4_g8_Traversal traversal) {
+  return traversal.cell[traversal.axis] + (ray.falls[traversal.axis] ? 1 : 0);
 }
 
 // How a ray comes to the voxel that it hits.
@@ -1110,52 +1120,52 @@ bool voxc_r4_4_4_g8_enters_together(const voxc_r4_4_4_g8_Ray ray, int3 face, int
   return voxc_r4_4_4_g8_compare_crossings(ray, a, face[a], b, face[b]) == 0;
 }
 
-// The first axis on which the ray comes into the walk's cell as it enters that. Not sure if steps cannot tell. Without
-// exactness, of several, at an edge, the one that the walk has met.
-int voxc_r4_4_4_g8_first_axis(const voxc_r4_4_4_g8_Ray ray, const voxc_r4_4_4_g8_Walk walk, out bool sure) {
+// The first axis on which the ray comes into the traversal's cell as it enters that. Not sure if steps cannot decide.
+// Without exactness, of several, at an edge, the one that the traversal has met.
+int voxc_r4_4_4_g8_first_axis(const voxc_r4_4_4_g8_Ray ray, const voxc_r4_4_4_g8_Traversal traversal, out bool sure) {
   sure = true;
-  int first = walk.axis;
-  int3 face = walk.cell + int3(ray.falls);
+  int first = traversal.axis;
+  int3 face = traversal.cell + int3(ray.falls);
   float3 t = voxc_r4_4_4_g8_times_of(ray, float3(face));
   for (int axis = 0; axis < 2; axis++) {
-    float apart = abs(t[axis] - t[walk.axis]);
-    float doubt = min(abs(t[axis]), abs(t[walk.axis])) * voxc_r4_4_4_g8_ROUNDINGS + ray.slack;
-    if (axis < first && ray.moves[axis] && ray.falls[axis] == ray.falls[walk.axis] && !(apart > doubt))
+    float apart = abs(t[axis] - t[traversal.axis]);
+    float bound = min(abs(t[axis]), abs(t[traversal.axis])) * voxc_r4_4_4_g8_ROUNDINGS + ray.t_error;
+    if (axis < first && ray.moves[axis] && ray.falls[axis] == ray.falls[traversal.axis] && !(apart > bound))
       sure = false;
   }
   if (!sure) {
     sure = true;
     for (int axis = 1; axis >= 0; axis--) {
       bool chosen_1;
-      chosen_1 = axis < walk.axis;
+      chosen_1 = axis < traversal.axis;
       if (chosen_1)
-        chosen_1 = voxc_r4_4_4_g8_enters_together(ray, face, axis, walk.axis);
+        chosen_1 = voxc_r4_4_4_g8_enters_together(ray, face, axis, traversal.axis);
       first = chosen_1 ? axis : first;
     }
   }
   return first;
 }
 
-// How the ray came to the walk's cell. Not sure where float32 or doubles cannot tell.
-voxc_r4_4_4_g8_Arrival voxc_r4_4_4_g8_arrival_at(const voxc_r4_4_4_g8_Ray ray, const voxc_r4_4_4_g8_Walk walk, bool hit,
-    out bool sure) {
+// How the ray came to the traversal's cell. Not sure where float32 or doubles cannot decide.
+voxc_r4_4_4_g8_Arrival voxc_r4_4_4_g8_arrival_at(const voxc_r4_4_4_g8_Ray ray, const voxc_r4_4_4_g8_Traversal traversal,
+    bool hit, out bool sure) {
   voxc_r4_4_4_g8_Arrival arrival;
   arrival.t = 0u;
   arrival.face = voxc_r4_4_4_g8_BEGINS_INSIDE;
   sure = true;
-  if (!hit || walk.axis < 0)
+  if (!hit || traversal.axis < 0)
     return arrival;
-  arrival.t = voxc_r4_4_4_g8_crossing_time(ray, walk.axis, voxc_r4_4_4_g8_entered_face(ray, walk), sure);
+  arrival.t = voxc_r4_4_4_g8_crossing_time(ray, traversal.axis, voxc_r4_4_4_g8_entered_face(ray, traversal), sure);
   bool sure_of_axis;
-  int axis = voxc_r4_4_4_g8_first_axis(ray, walk, sure_of_axis);
+  int axis = voxc_r4_4_4_g8_first_axis(ray, traversal, sure_of_axis);
   arrival.face = 2u * uint(axis) + uint(ray.falls[axis]);
   sure = sure && sure_of_axis;
   return arrival;
 }
 
-// A single voxel: the walk has arrived.
-bool voxc_r4_4_4_g8_intersect_voxel(inout voxc_r4_4_4_g8_Walk walk, uint voxel) {
-  walk.voxel = voxel;
+// A single voxel: the traversal has arrived.
+bool voxc_r4_4_4_g8_intersect_voxel(inout voxc_r4_4_4_g8_Traversal traversal, uint voxel) {
+  traversal.voxel = voxel;
   return true;
 }
 
@@ -1184,15 +1194,15 @@ uint voxc_r4_4_4_g8_child_level_2(VOXC_VOLUME volume, uint node, int3 cell, int 
   return voxc_r4_4_4_g8_load_word(volume, node + 1u + uint(int(countbits(masks & ((1u << child) - 1u)))));
 }
 
-// path[i] is the node i layers above the cells around the walk's cell: a step climbs only to the ancestor of the old
-// cell and the new.
-bool voxc_r4_4_4_g8_intersect_level_2(VOXC_VOLUME volume, const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk,
-    uint root) {
+// path[i] is the node i layers above the cells around the traversal's cell: a step climbs only to the ancestor of the
+// old cell and the new.
+bool voxc_r4_4_4_g8_intersect_level_2(VOXC_VOLUME volume, const voxc_r4_4_4_g8_Ray ray,
+    inout voxc_r4_4_4_g8_Traversal traversal, uint root) {
   uint path[voxc_r4_4_4_g8_LEVEL_2_DEPTH + 1];
   path[voxc_r4_4_4_g8_LEVEL_2_DEPTH] = root;
   int top = voxc_r4_4_4_g8_LEVEL_2_DEPTH;
   for (;;) {
-    int3 cell = walk.cell >> voxc_r4_4_4_g8_LEVEL_2_LOG2_CELL;
+    int3 cell = traversal.cell >> voxc_r4_4_4_g8_LEVEL_2_LOG2_CELL;
     uint node = path[top];
     int layer = top;
     bool leaf = false;
@@ -1201,18 +1211,18 @@ bool voxc_r4_4_4_g8_intersect_level_2(VOXC_VOLUME volume, const voxc_r4_4_4_g8_R
       layer--;
       node = voxc_r4_4_4_g8_child_level_2(volume, node, cell, layer, leaf);
     }
-    int3 before = walk.cell;
+    int3 before = traversal.cell;
     if (node == 0u)
-      voxc_r4_4_4_g8_step_over(ray, walk, voxc_r4_4_4_g8_LEVEL_2_LOG2_CELL + layer);
+      voxc_r4_4_4_g8_step_over(ray, traversal, voxc_r4_4_4_g8_LEVEL_2_LOG2_CELL + layer);
     else {
       bool chosen_1;
       chosen_1 = leaf;
       if (chosen_1)
-        chosen_1 = voxc_r4_4_4_g8_intersect_voxel(walk, node);
+        chosen_1 = voxc_r4_4_4_g8_intersect_voxel(traversal, node);
       if (chosen_1)
         return true;
     }
-    int3 changed = before ^ walk.cell;
+    int3 changed = before ^ traversal.cell;
     int highest = int(firstbithigh(uint(changed.x | changed.y | changed.z)));
     if (highest >= voxc_r4_4_4_g8_LEVEL_2_LOG2_SIDE)
       return false;
@@ -1238,14 +1248,14 @@ uint voxc_r4_4_4_g8_cell_level_1(VOXC_VOLUME volume, uint grid, int3 cell) {
   return voxc_r4_4_4_g8_load_word(volume, slot);
 }
 
-bool voxc_r4_4_4_g8_intersect_level_1(VOXC_VOLUME volume, const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk,
-    uint grid) {
-  while (voxc_r4_4_4_g8_goes_on(walk)) {
-    voxc_r4_4_4_g8_Gap gap = make_voxc_r4_4_4_g8_Gap(voxc_r4_4_4_g8_LEVEL_1_LOG2_CELL, 1);
-    uint value = voxc_r4_4_4_g8_cell_level_1(volume, grid, walk.cell >> voxc_r4_4_4_g8_LEVEL_1_LOG2_CELL);
+bool voxc_r4_4_4_g8_intersect_level_1(VOXC_VOLUME volume, const voxc_r4_4_4_g8_Ray ray,
+    inout voxc_r4_4_4_g8_Traversal traversal, uint grid) {
+  while (voxc_r4_4_4_g8_goes_on(traversal)) {
+    voxc_r4_4_4_g8_EmptySpan span = make_voxc_r4_4_4_g8_EmptySpan(voxc_r4_4_4_g8_LEVEL_1_LOG2_CELL, 1);
+    uint value = voxc_r4_4_4_g8_cell_level_1(volume, grid, traversal.cell >> voxc_r4_4_4_g8_LEVEL_1_LOG2_CELL);
     if (value == 0u) {
-      voxc_r4_4_4_g8_step_over(ray, walk, gap);
-    } else if (voxc_r4_4_4_g8_intersect_level_2(volume, ray, walk, value)) {
+      voxc_r4_4_4_g8_step_over(ray, traversal, span);
+    } else if (voxc_r4_4_4_g8_intersect_level_2(volume, ray, traversal, value)) {
       return true;
     }
   }
@@ -1253,25 +1263,25 @@ bool voxc_r4_4_4_g8_intersect_level_1(VOXC_VOLUME volume, const voxc_r4_4_4_g8_R
 }
 
 // What a voxel is: here its value is its colour.
-uint voxc_r4_4_4_g8_colour_of(VOXC_VOLUME volume, const voxc_r4_4_4_g8_Walk walk) {
-  return voxc_r4_4_4_g8_load_word(volume, walk.voxel);
+uint voxc_r4_4_4_g8_colour_of(VOXC_VOLUME volume, const voxc_r4_4_4_g8_Traversal traversal) {
+  return voxc_r4_4_4_g8_load_word(volume, traversal.voxel);
 }
 
 // ---- What follows is the same in every kernel ----
 
-// Goes on with a walk to its end, or until it is left.
-bool voxc_r4_4_4_g8_walk_on(VOXC_VOLUME volume, const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk,
-    uint root) {
+// Goes on with a traversal to its end, or until it is left.
+bool voxc_r4_4_4_g8_continue_traversal(VOXC_VOLUME volume, const voxc_r4_4_4_g8_Ray ray,
+    inout voxc_r4_4_4_g8_Traversal traversal, uint root) {
   bool hit = false;
   bool is_under_way = true;
   while (is_under_way) {
-    while (walk.open >= 0)
-      voxc_r4_4_4_g8_settle_step(ray, walk);
-    // What was settled may have been the last step inside.
-    hit = voxc_r4_4_4_g8_is_in_volume(walk.cell);
+    while (traversal.pending_step >= 0)
+      voxc_r4_4_4_g8_resolve_step(ray, traversal);
+    // What was resolved may have been the last step inside.
+    hit = voxc_r4_4_4_g8_is_in_volume(traversal.cell);
     if (hit)
-      hit = voxc_r4_4_4_g8_intersect_level_1(volume, ray, walk, root);
-    is_under_way = walk.open >= 0;
+      hit = voxc_r4_4_4_g8_intersect_level_1(volume, ray, traversal, root);
+    is_under_way = traversal.pending_step >= 0;
   }
   return hit;
 }
@@ -1308,7 +1318,7 @@ voxc_r4_4_4_g8_Bounds voxc_r4_4_4_g8_bounds_between(uint tmin, uint tmax) {
   return bounds;
 }
 
-static const int voxc_r4_4_4_g8_UNTOLD = 2; // No order: it cannot be told here.
+static const int voxc_r4_4_4_g8_UNDECIDED = 2; // No order: it cannot be told here.
 
 // The order of the moment at which a coordinate passes a face and another moment, where
 // (face - origin) * 1 - moment * direction has this sign.
@@ -1329,52 +1339,53 @@ int voxc_r4_4_4_g8_order_told(const voxc_r4_4_4_g8_Ray ray, int axis, uint momen
     bool is_exact) {
   // Devices may not keep a denormal moment.
   bool told = (later || sooner || is_exact) && ray.plain && moment - 1u >= 0x7fffffu;
-  return told ? voxc_r4_4_4_g8_order_by_sign(ray, axis, later ? 1 : sooner ? -1 : 0) : voxc_r4_4_4_g8_UNTOLD;
+  return told ? voxc_r4_4_4_g8_order_by_sign(ray, axis, later ? 1 : sooner ? -1 : 0) : voxc_r4_4_4_g8_UNDECIDED;
 }
 
 // The same by float32, whose distance and way are rounded once each.
 int voxc_r4_4_4_g8_compare_moment_by_floats(const voxc_r4_4_4_g8_Ray ray, int axis, int face, uint moment) {
   float distance = float(face) - asfloat(ray.given_origin[axis]);
   float way = asfloat(moment) * asfloat(ray.given_direction[axis]);
-  float doubt = (abs(distance) + abs(way)) * voxc_r4_4_4_g8_ROUNDINGS;
-  return voxc_r4_4_4_g8_order_told(ray, axis, moment, distance - way > doubt, distance - way < -doubt, false);
+  float bound = (abs(distance) + abs(way)) * voxc_r4_4_4_g8_ROUNDINGS;
+  return voxc_r4_4_4_g8_order_told(ray, axis, moment, distance - way > bound, distance - way < -bound, false);
 }
 
 int voxc_r4_4_4_g8_compare_moment(const voxc_r4_4_4_g8_Ray ray, int axis, int face, uint moment) {
   return voxc_r4_4_4_g8_compare_moment_by_floats(ray, axis, face, moment);
 }
 
-// Whether the ray enters the walk's cell before a moment, -1, at it, 0, or after it, 1. UNTOLD if only exact arithmetic
-// can tell, and that is not at hand, or the device has cut it short.
-int voxc_r4_4_4_g8_compare_entry(const voxc_r4_4_4_g8_Ray ray, const voxc_r4_4_4_g8_Walk walk, uint moment) {
-  if (walk.axis < 0)
+// Whether the ray enters the traversal's cell before a moment, -1, at it, 0, or after it, 1. UNDECIDED if only exact
+// arithmetic can tell, and that is not at hand, or the device has cut it short.
+int voxc_r4_4_4_g8_compare_entry(const voxc_r4_4_4_g8_Ray ray, const voxc_r4_4_4_g8_Traversal traversal, uint moment) {
+  if (traversal.axis < 0)
     return moment == 0u ? 0 : -1;
-  int face = voxc_r4_4_4_g8_entered_face(ray, walk);
-  int order = voxc_r4_4_4_g8_compare_moment(ray, walk.axis, face, moment);
-  if (order == voxc_r4_4_4_g8_UNTOLD)
-    order = voxc_r4_4_4_g8_compare_moment_exactly(ray, walk.axis, face, moment);
+  int face = voxc_r4_4_4_g8_entered_face(ray, traversal);
+  int order = voxc_r4_4_4_g8_compare_moment(ray, traversal.axis, face, moment);
+  if (order == voxc_r4_4_4_g8_UNDECIDED)
+    order = voxc_r4_4_4_g8_compare_moment_exactly(ray, traversal.axis, face, moment);
   return order;
 }
 
-// Where the entry of the walk's cell lies: before the bounds, -1, within them, 0, or after them, 1. UNTOLD as above.
-int voxc_r4_4_4_g8_place_of_entry(const voxc_r4_4_4_g8_Ray ray, const voxc_r4_4_4_g8_Walk walk,
+// Where the entry of the traversal's cell lies: before the bounds, -1, within them, 0, or after them, 1. UNDECIDED as
+// above.
+int voxc_r4_4_4_g8_place_of_entry(const voxc_r4_4_4_g8_Ray ray, const voxc_r4_4_4_g8_Traversal traversal,
     const voxc_r4_4_4_g8_Bounds bounds) {
   int order;
   if (bounds.tmin == 0u)
     order = 0;
   else
-    order = voxc_r4_4_4_g8_compare_entry(ray, walk, bounds.tmin);
-  if (order < 0 || order == voxc_r4_4_4_g8_UNTOLD)
+    order = voxc_r4_4_4_g8_compare_entry(ray, traversal, bounds.tmin);
+  if (order < 0 || order == voxc_r4_4_4_g8_UNDECIDED)
     return order;
   if (bounds.tmax == voxc_r4_4_4_g8_INFINITY_BITS)
     return 0;
-  return max(voxc_r4_4_4_g8_compare_entry(ray, walk, bounds.tmax), 0);
+  return max(voxc_r4_4_4_g8_compare_entry(ray, traversal, bounds.tmax), 0);
 }
 
-// Moves a walk that begins long before a moment to a cell that the ray comes to shortly before.
-void voxc_r4_4_4_g8_skip_to(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk, uint moment) {
+// Moves a traversal that begins long before a moment to a cell that the ray comes to shortly before.
+void voxc_r4_4_4_g8_skip_to(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Traversal traversal, uint moment) {
   const int WORTH_SKIPPING = 4; // In voxels.
-  if (moment == 0u || !voxc_r4_4_4_g8_is_in_volume(walk.cell))
+  if (moment == 0u || !voxc_r4_4_4_g8_is_in_volume(traversal.cell))
     return;
   uint3 size = ray.given_direction & ~voxc_r4_4_4_g8_SIGN_BIT;
   int axis = size.x >= max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
@@ -1387,12 +1398,12 @@ void voxc_r4_4_4_g8_skip_to(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_W
   float before = origin + way - heading * (2.0f + reach / 1048576.0f); // By more than a few roundings.
   int face = int(floor(clamp(before, -1.0f, float(voxc_r4_4_4_g8_VOLUME_SIZE[axis] + 1))));
   int behind = face - int(ray.falls[axis]);
-  if ((behind - walk.cell[axis]) * ray.heading[axis] > WORTH_SKIPPING)
-    walk = voxc_r4_4_4_g8_behind_face(ray, walk, walk.cell, axis, face);
+  if ((behind - traversal.cell[axis]) * ray.heading[axis] > WORTH_SKIPPING)
+    traversal = voxc_r4_4_4_g8_behind_face(ray, traversal, traversal.cell, axis, face);
 }
 
-// Lets a walk end shortly after a moment, where float32 can tell when that is.
-void voxc_r4_4_4_g8_end_after(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk, uint moment) {
+// Lets a traversal end shortly after a moment, where float32 can decide when that is.
+void voxc_r4_4_4_g8_end_after(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Traversal traversal, uint moment) {
   if (!ray.plain || moment >= voxc_r4_4_4_g8_INFINITY_BITS || (moment != 0u && moment < 0x800000u))
     return;
   float3 origin = asfloat(ray.given_origin);
@@ -1400,41 +1411,41 @@ void voxc_r4_4_4_g8_end_after(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8
   float3 room = 2.0f + (abs(origin) + abs(way)) / 1048576.0f;
   float3 after = origin + way + float3(ray.heading) * room;
   int3 last = int3(clamp(floor(after), (float3)0.0f, float3(voxc_r4_4_4_g8_VOLUME_SIZE - 1)));
-  walk.begin = voxc_r4_4_4_g8_mix((int3)0, last, ray.falls);
-  walk.size = voxc_r4_4_4_g8_mix(voxc_r4_4_4_g8_VOLUME_SIZE, last + 1, ray.heading > (int3)0) - walk.begin;
+  traversal.begin = voxc_r4_4_4_g8_mix((int3)0, last, ray.falls);
+  traversal.size = voxc_r4_4_4_g8_mix(voxc_r4_4_4_g8_VOLUME_SIZE, last + 1, ray.heading > (int3)0) - traversal.begin;
 }
 
-// Lets a walk that is ready end shortly after its bounds. False, and a miss, if nothing lies between them.
-bool voxc_r4_4_4_g8_bound_walk(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk,
+// Lets a traversal that is ready end shortly after its bounds. False, and a miss, if nothing lies between them.
+bool voxc_r4_4_4_g8_bound_traversal(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Traversal traversal,
     const voxc_r4_4_4_g8_Bounds bounds) {
   if (bounds.tmin > bounds.tmax) {
-    walk.cell = (int3)-1;
-    walk.open = voxc_r4_4_4_g8_CLOSED;
+    traversal.cell = (int3)-1;
+    traversal.pending_step = voxc_r4_4_4_g8_NO_PENDING_STEP;
     return false;
   }
-  voxc_r4_4_4_g8_end_after(ray, walk, bounds.tmax);
+  voxc_r4_4_4_g8_end_after(ray, traversal, bounds.tmax);
   return true;
 }
 
-// Goes on with a walk to the first voxel that the ray enters within the bounds. A walk of which that cannot be told
-// stays where it is, in that voxel; one that has come beyond the bounds ends.
-bool voxc_r4_4_4_g8_walk_within(VOXC_VOLUME volume, const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk,
-    uint root, const voxc_r4_4_4_g8_Bounds bounds) {
+// Goes on with a traversal to the first voxel that the ray enters within the bounds. A traversal of which that cannot
+// be told stays where it is, in that voxel; one that has come beyond the bounds ends.
+bool voxc_r4_4_4_g8_traverse_within(VOXC_VOLUME volume, const voxc_r4_4_4_g8_Ray ray,
+    inout voxc_r4_4_4_g8_Traversal traversal, uint root, const voxc_r4_4_4_g8_Bounds bounds) {
   bool found = false;
   int place = -1;
   while (place < 0) {
-    found = voxc_r4_4_4_g8_is_in_volume(walk.cell) || walk.open >= 0;
+    found = voxc_r4_4_4_g8_is_in_volume(traversal.cell) || traversal.pending_step >= 0;
     if (found)
-      found = voxc_r4_4_4_g8_walk_on(volume, ray, walk, root);
+      found = voxc_r4_4_4_g8_continue_traversal(volume, ray, traversal, root);
     if (found)
-      place = voxc_r4_4_4_g8_place_of_entry(ray, walk, bounds);
+      place = voxc_r4_4_4_g8_place_of_entry(ray, traversal, bounds);
     else
       place = 0;
     if (place < 0)
-      voxc_r4_4_4_g8_step_over_voxel(ray, walk);
+      voxc_r4_4_4_g8_step_over_voxel(ray, traversal);
   }
   if (found && place == 1)
-    walk.cell = (int3)-1;
+    traversal.cell = (int3)-1;
   return found && place == 0;
 }
 
@@ -1463,13 +1474,14 @@ voxc_r4_4_4_g8_Hit make_voxc_r4_4_4_g8_Hit(int3 voxel, float t, uint colour, int
 voxc_r4_4_4_g8_Hit voxc_r4_4_4_g8_miss() { return make_voxc_r4_4_4_g8_Hit((int3)-1, 0.0f, 0u, -1, 0); }
 
 voxc_r4_4_4_g8_Hit voxc_r4_4_4_g8_hit_of(VOXC_VOLUME volume, const voxc_r4_4_4_g8_Ray ray,
-    const voxc_r4_4_4_g8_Walk walk) {
+    const voxc_r4_4_4_g8_Traversal traversal) {
   bool sure;
-  voxc_r4_4_4_g8_Arrival arrival = voxc_r4_4_4_g8_arrival_at(ray, walk, true, sure);
+  voxc_r4_4_4_g8_Arrival arrival = voxc_r4_4_4_g8_arrival_at(ray, traversal, true, sure);
   bool inside = arrival.face == voxc_r4_4_4_g8_BEGINS_INSIDE;
   int axis = inside ? -1 : int(arrival.face >> 1);
   int side = inside ? 0 : (arrival.face & 1u) != 0u ? 1 : -1;
-  return make_voxc_r4_4_4_g8_Hit(walk.cell, asfloat(arrival.t), voxc_r4_4_4_g8_colour_of(volume, walk), axis, side);
+  return make_voxc_r4_4_4_g8_Hit(traversal.cell, asfloat(arrival.t), voxc_r4_4_4_g8_colour_of(volume, traversal), axis,
+      side);
 }
 
 // The normal of the face by which the ray enters, out of the voxel; 0 where there is none.
@@ -1492,24 +1504,25 @@ float3 voxc_r4_4_4_g8_outside(float3 origin, float3 direction, const voxc_r4_4_4
 
 // What is called from outside.
 
-// Walks from the ray's begin, or from behind the walk's voxel where it has one, to the next voxel within [tmin, tmax].
+// Goes from the ray's begin, or from behind the traversal's voxel where it has one, to the next voxel within [tmin,
+// tmax].
 bool voxc_r4_4_4_g8_seek(VOXC_VOLUME volume, uint3 origin, uint3 direction, float tmin, float tmax,
-    out voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Walk walk) {
-  bool goes_past = voxc_r4_4_4_g8_is_in_volume(walk.cell);
+    out voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Traversal traversal) {
+  bool goes_past = voxc_r4_4_4_g8_is_in_volume(traversal.cell);
   voxc_r4_4_4_g8_Bounds bounds = voxc_r4_4_4_g8_bounds_between(asuint(tmin), asuint(tmax));
   uint root = voxc_r4_4_4_g8_load_word(volume, 0u); // Leads to level 1, unless the volume is empty.
   bool found;
-  found = voxc_r4_4_4_g8_begin_walk(origin, direction, root, ray, walk);
+  found = voxc_r4_4_4_g8_begin_traversal(origin, direction, root, ray, traversal);
   if (found)
-    found = voxc_r4_4_4_g8_bound_walk(ray, walk, bounds);
+    found = voxc_r4_4_4_g8_bound_traversal(ray, traversal, bounds);
   if (found) {
     if (goes_past)
-      voxc_r4_4_4_g8_step_over_voxel(ray, walk);
+      voxc_r4_4_4_g8_step_over_voxel(ray, traversal);
     else
-      voxc_r4_4_4_g8_skip_to(ray, walk, bounds.tmin);
-    found = voxc_r4_4_4_g8_walk_within(volume, ray, walk, root, bounds);
+      voxc_r4_4_4_g8_skip_to(ray, traversal, bounds.tmin);
+    found = voxc_r4_4_4_g8_traverse_within(volume, ray, traversal, root, bounds);
   }
-  return voxc_r4_4_4_g8_end_walk(origin, direction, walk, found);
+  return voxc_r4_4_4_g8_end_traversal(origin, direction, traversal, found);
 }
 
 // The first voxel that the ray enters at a t in [tmin, tmax], in exact arithmetic; a NaN is in no interval. The voxel
@@ -1518,11 +1531,11 @@ bool voxc_r4_4_4_g8_seek(VOXC_VOLUME volume, uint3 origin, uint3 direction, floa
 bool voxc_r4_4_4_g8_closest(VOXC_VOLUME volume, float3 origin, float3 direction, float tmin, float tmax,
     out voxc_r4_4_4_g8_Hit hit) {
   voxc_r4_4_4_g8_Ray ray;
-  voxc_r4_4_4_g8_Walk walk = voxc_r4_4_4_g8_walk_at((int3)-1);
-  bool found = voxc_r4_4_4_g8_seek(volume, asuint(origin), asuint(direction), tmin, tmax, ray, walk);
+  voxc_r4_4_4_g8_Traversal traversal = voxc_r4_4_4_g8_traversal_at((int3)-1);
+  bool found = voxc_r4_4_4_g8_seek(volume, asuint(origin), asuint(direction), tmin, tmax, ray, traversal);
   hit = voxc_r4_4_4_g8_miss();
   if (found)
-    hit = voxc_r4_4_4_g8_hit_of(volume, ray, walk);
+    hit = voxc_r4_4_4_g8_hit_of(volume, ray, traversal);
   return found;
 }
 
@@ -1531,22 +1544,22 @@ bool voxc_r4_4_4_g8_closest(VOXC_VOLUME volume, float3 origin, float3 direction,
 bool voxc_r4_4_4_g8_next(VOXC_VOLUME volume, float3 origin, float3 direction, float tmax,
     inout voxc_r4_4_4_g8_Hit hit) {
   voxc_r4_4_4_g8_Ray ray;
-  voxc_r4_4_4_g8_Walk walk = voxc_r4_4_4_g8_walk_at(hit.voxel);
+  voxc_r4_4_4_g8_Traversal traversal = voxc_r4_4_4_g8_traversal_at(hit.voxel);
   bool found;
   found = voxc_r4_4_4_g8_is_in_volume(hit.voxel);
   if (found)
-    found = voxc_r4_4_4_g8_seek(volume, asuint(origin), asuint(direction), 0.0f, tmax, ray, walk);
+    found = voxc_r4_4_4_g8_seek(volume, asuint(origin), asuint(direction), 0.0f, tmax, ray, traversal);
   hit = voxc_r4_4_4_g8_miss();
   if (found)
-    hit = voxc_r4_4_4_g8_hit_of(volume, ray, walk);
+    hit = voxc_r4_4_4_g8_hit_of(volume, ray, traversal);
   return found;
 }
 
 // Whether there is a voxel that the ray enters at a t in [tmin, tmax].
 bool voxc_r4_4_4_g8_any(VOXC_VOLUME volume, float3 origin, float3 direction, float tmin, float tmax) {
   voxc_r4_4_4_g8_Ray ray;
-  voxc_r4_4_4_g8_Walk walk = voxc_r4_4_4_g8_walk_at((int3)-1);
-  return voxc_r4_4_4_g8_seek(volume, asuint(origin), asuint(direction), tmin, tmax, ray, walk);
+  voxc_r4_4_4_g8_Traversal traversal = voxc_r4_4_4_g8_traversal_at((int3)-1);
+  return voxc_r4_4_4_g8_seek(volume, asuint(origin), asuint(direction), tmin, tmax, ray, traversal);
 }
 
 #undef VOXC_INDEX

@@ -53,8 +53,8 @@ fn voxc_r4_4_4_g8_umulExtended(a: u32, b: u32, high: ptr<function, u32>, low: pt
 
 fn voxc_r4_4_4_g8_load_word(volume: u32, place: u32) -> u32 { return voxc_r4_4_4_g8_word(volume, place); }
 
-// A ray, prepared for walking. Its members that are no integers are approximate; what must be exact is asked of the ray
-// as given.
+// A ray, prepared for the traversal. Its members that are no integers are approximate; what must be exact is asked of
+// the ray as given.
 struct voxc_r4_4_4_g8_Ray {
   given_origin: vec3<u32>, // The bits of six float32 taken as exact numbers.
   given_direction: vec3<u32>,
@@ -64,10 +64,10 @@ struct voxc_r4_4_4_g8_Ray {
   direction: vec3<f32>,
   inverse: vec3<f32>,
   late: vec3<f32>,         // By how much each t comes late that is counted from there.
-  slack: f32,              // What is wrong of a t, beside a few roundings.
-  lowest: vec3<f32>,       // The least that is certain of the coordinates at the origin,
-  doubt: f32,              // and how much more any coordinate on the way may be, in voxels.
-  certain: f32,            // A coordinate that is at least this far below the next whole number is in its cell.
+  t_error: f32,            // Absolute error bound of t, apart from a few rounding errors.
+  origin_low: vec3<f32>,   // The least that is certain of the coordinates at the origin,
+  coordinate_error: f32,   // and how much more any coordinate on the way may be, in voxels.
+  cell_margin: f32,        // A coordinate that is at least this far below the next whole number is in its cell.
   moves: vec3<bool>,       // False on an axis whose coordinate never changes.
   falls: vec3<bool>,       // The coordinate falls.
   plain: bool,             // As given, it has no numbers but 0 and those whose significand has all its bits.
@@ -78,7 +78,7 @@ struct voxc_r4_4_4_g8_Ray {
 }
 
 // Empty cubes of 2^log2_side voxels a side: the one around a cell and, `count` a side, those that lie ahead of it.
-struct voxc_r4_4_4_g8_Gap {
+struct voxc_r4_4_4_g8_EmptySpan {
   log2_side: i32,
   count: i32,
 }
@@ -91,20 +91,21 @@ struct voxc_r4_4_4_g8_Exit {
 }
 
 // Where a ray is: the first cell not yet proved empty. Each step moves it by at least one cell, and never back.
-struct voxc_r4_4_4_g8_Walk {
-  cell: vec3<i32>,  // In voxels; outside the volume before and after the walk.
-  axis: i32,        // The axis on which the ray entered the cell; -1 where it started.
-  voxel: u32,       // Where the voxel that was hit is to be had, as the lowest level finds it.
-  steps_left: i32,  // There are no more cells on any ray; a walk with less than 0 is an error of the kernel's.
-  open: i32,        // A step over a gap around ~cell is left open: 32 times its count, and its log2_side. Else CLOSED.
-  begin: vec3<i32>, // A walk ends where it leaves the box of `size` cells from `begin` on.
+struct voxc_r4_4_4_g8_Traversal {
+  cell: vec3<i32>,   // In voxels; outside the volume before and after the traversal.
+  axis: i32,         // The axis on which the ray entered the cell; -1 where it started.
+  voxel: u32,        // Where the voxel that was hit is to be had, as the lowest level finds it.
+  steps_left: i32,   // There are no more cells on any ray; a traversal with less than 0 is an error of the kernel's.
+  // A step over an empty span around ~cell is pending: 32 times its count, and its log2_side. Else NO_PENDING_STEP.
+  pending_step: i32,
+  begin: vec3<i32>,  // A traversal ends where it leaves the box of `size` cells from `begin` on.
   size: vec3<i32>,
 }
 
-const voxc_r4_4_4_g8_CLOSED: i32 = -1;
-const voxc_r4_4_4_g8_AGAIN: i32 = -2; // The walk is to be gone on with, from its cell, by who settles.
+const voxc_r4_4_4_g8_NO_PENDING_STEP: i32 = -1;
+const voxc_r4_4_4_g8_RETRY: i32 = -2; // The traversal is to be gone on with, from its cell, by the exact fallback.
 
-const voxc_r4_4_4_g8_NEVER: f32 = 1e30f; // A t that no ray of a usual length comes to.
+const voxc_r4_4_4_g8_NEVER: f32 = 1e30f; // A t that no ray of an ordinary length comes to.
 
 // What is rounded on the way to a t, which is a difference, an inverse and a product. Where devices round to nearest,
 // eight roundings: the order of two t is certain beyond 7 roundings of the earlier, and a coordinate within 7 of how
@@ -112,46 +113,48 @@ const voxc_r4_4_4_g8_NEVER: f32 = 1e30f; // A t that no ray of a usual length co
 // the order of two t is certain beyond 11, and a coordinate within 9.5.
 const voxc_r4_4_4_g8_ROUNDINGS: f32 = 12.0f / 8388608.0f;
 
-// A walk that is about to begin, or to go on.
-fn voxc_r4_4_4_g8_walk_at(cell: vec3<i32>) -> voxc_r4_4_4_g8_Walk {
+// A traversal that is about to begin, or to go on.
+fn voxc_r4_4_4_g8_traversal_at(cell: vec3<i32>) -> voxc_r4_4_4_g8_Traversal {
   let most_steps = voxc_r4_4_4_g8_VOLUME_SIZE.x + voxc_r4_4_4_g8_VOLUME_SIZE.y + voxc_r4_4_4_g8_VOLUME_SIZE.z;
-  return voxc_r4_4_4_g8_Walk(cell, -1, 0u, most_steps, voxc_r4_4_4_g8_CLOSED, vec3<i32>(0), voxc_r4_4_4_g8_VOLUME_SIZE);
+  return voxc_r4_4_4_g8_Traversal(cell, -1, 0u, most_steps, voxc_r4_4_4_g8_NO_PENDING_STEP, vec3<i32>(0),
+      voxc_r4_4_4_g8_VOLUME_SIZE);
 }
 
-// Ends a walk that takes more steps than any can.
-fn voxc_r4_4_4_g8_count_step(walk: ptr<function, voxc_r4_4_4_g8_Walk>) {
-  (*walk).steps_left--;
-  (*walk).cell.x |= (*walk).steps_left >> 31u; // All bits: outside, whatever follows.
+// Ends a traversal that takes more steps than any can.
+fn voxc_r4_4_4_g8_count_step(traversal: ptr<function, voxc_r4_4_4_g8_Traversal>) {
+  (*traversal).steps_left--;
+  (*traversal).cell.x |= (*traversal).steps_left >> 31u; // All bits: outside, whatever follows.
 }
 
 fn voxc_r4_4_4_g8_is_in_volume(cell: vec3<i32>) -> bool {
   return all(vec3<u32>(cell) < vec3<u32>(voxc_r4_4_4_g8_VOLUME_SIZE));
 }
 
-// Whether a walk is in the box in which it may find something.
-fn voxc_r4_4_4_g8_is_in_reach(walk: voxc_r4_4_4_g8_Walk) -> bool {
-  return all(vec3<u32>(walk.cell - walk.begin) < vec3<u32>(walk.size));
+// Whether a traversal is in the box in which it may find something.
+fn voxc_r4_4_4_g8_is_in_reach(traversal: voxc_r4_4_4_g8_Traversal) -> bool {
+  return all(vec3<u32>(traversal.cell - traversal.begin) < vec3<u32>(traversal.size));
 }
 
-// Whether a walk has more to see here.
-fn voxc_r4_4_4_g8_goes_on(walk: voxc_r4_4_4_g8_Walk) -> bool { return voxc_r4_4_4_g8_is_in_reach(walk); }
+// Whether a traversal has more to see here.
+fn voxc_r4_4_4_g8_goes_on(traversal: voxc_r4_4_4_g8_Traversal) -> bool { return voxc_r4_4_4_g8_is_in_reach(traversal); }
 
 // The low corner of the aligned cube of 2^log2_side voxels a side around a cell.
 fn voxc_r4_4_4_g8_corner_of(cell: vec3<i32>, log2_side: i32) -> vec3<i32> {
   return (cell >> vec3<u32>(u32(log2_side))) << vec3<u32>(u32(log2_side));
 }
 
-// The low corner of the cube of a gap around a cell.
-fn voxc_r4_4_4_g8_corner_of_gap(ray: voxc_r4_4_4_g8_Ray, cell: vec3<i32>, gap: voxc_r4_4_4_g8_Gap) -> vec3<i32> {
-  return voxc_r4_4_4_g8_corner_of(cell, gap.log2_side) - (~ray.ahead & vec3<i32>((gap.count
-      - 1) << u32(gap.log2_side)));
+// The low corner of the cube of an empty span around a cell.
+fn voxc_r4_4_4_g8_corner_of_emptyspan(ray: voxc_r4_4_4_g8_Ray, cell: vec3<i32>,
+    span: voxc_r4_4_4_g8_EmptySpan) -> vec3<i32> {
+  return voxc_r4_4_4_g8_corner_of(cell, span.log2_side) - (~ray.ahead & vec3<i32>((span.count
+      - 1) << u32(span.log2_side)));
 }
 
-// The faces of a gap around a cell that lie ahead.
-fn voxc_r4_4_4_g8_faces_ahead(ray: voxc_r4_4_4_g8_Ray, cell: vec3<i32>, gap: voxc_r4_4_4_g8_Gap) -> vec3<i32> {
-  let side = 1 << u32(gap.log2_side);
-  // From the cube's low face to that of the gap, where the coordinate falls.
-  let back = side - (gap.count << u32(gap.log2_side));
+// The faces of an empty span around a cell that lie ahead.
+fn voxc_r4_4_4_g8_faces_ahead(ray: voxc_r4_4_4_g8_Ray, cell: vec3<i32>, span: voxc_r4_4_4_g8_EmptySpan) -> vec3<i32> {
+  let side = 1 << u32(span.log2_side);
+  // From the cube's low face to that of the empty span, where the coordinate falls.
+  let back = side - (span.count << u32(span.log2_side));
   return (cell & vec3<i32>(-side)) + back + (ray.ahead & vec3<i32>(side - back - back));
 }
 
@@ -349,7 +352,7 @@ fn voxc_r4_4_4_g8_compare_exactly(ray: voxc_r4_4_4_g8_Ray, a: i32, face_a: i32, 
   return select(-order, order, ray.falls[a] == ray.falls[b]);
 }
 
-// The same, by doubles where they can tell.
+// The same, by doubles where they can decide.
 fn voxc_r4_4_4_g8_compare_crossings(ray: voxc_r4_4_4_g8_Ray, a: i32, face_a: i32, b: i32, face_b: i32) -> i32 {
   return voxc_r4_4_4_g8_compare_exactly(ray, a, face_a, b, face_b);
 }
@@ -375,7 +378,7 @@ fn voxc_r4_4_4_g8_narrow(ray: voxc_r4_4_4_g8_Ray, crossing: voxc_r4_4_4_g8_Cross
 }
 
 // Narrows a range down, on each axis, to the cell that the ray is in once a crossing has happened.
-fn voxc_r4_4_4_g8_settle(ray: voxc_r4_4_4_g8_Ray, crossing: voxc_r4_4_4_g8_Crossing,
+fn voxc_r4_4_4_g8_resolve_cell(ray: voxc_r4_4_4_g8_Ray, crossing: voxc_r4_4_4_g8_Crossing,
     candidates: voxc_r4_4_4_g8_Range) -> vec3<i32> {
   var range: voxc_r4_4_4_g8_Range = candidates;
   while (any(range.least != range.most)) {
@@ -390,48 +393,49 @@ fn voxc_r4_4_4_g8_settle(ray: voxc_r4_4_4_g8_Ray, crossing: voxc_r4_4_4_g8_Cross
 // What can be told, without integers, of the cell, within a range, that the ray is in once a crossing has happened.
 fn voxc_r4_4_4_g8_approximate_cell(ray: voxc_r4_4_4_g8_Ray, crossing: voxc_r4_4_4_g8_Crossing,
     range: voxc_r4_4_4_g8_Range) -> voxc_r4_4_4_g8_Range {
-  let point = ray.lowest + crossing.t * ray.direction;
-  let doubt = select(vec3<f32>(0.0f), vec3<f32>(ray.doubt), ray.moves);
+  let point = ray.origin_low + crossing.t * ray.direction;
+  let bound = select(vec3<f32>(0.0f), vec3<f32>(ray.coordinate_error), ray.moves);
   let least = vec3<f32>(range.least);
   let most = vec3<f32>(range.most);
-  return voxc_r4_4_4_g8_Range(vec3<i32>(clamp(floor(point), least, most)), vec3<i32>(clamp(floor(point + doubt), least,
+  return voxc_r4_4_4_g8_Range(vec3<i32>(clamp(floor(point), least, most)), vec3<i32>(clamp(floor(point + bound), least,
       most)));
 }
 
-// Steps that are exact for every ray: by float32 or doubles where these can tell, by integers elsewhere.
+// Steps that are exact for every ray: by float32 or doubles where these can decide, by integers elsewhere.
 
-// How the ray leaves cells through the first of the faces ahead. Not sure if its t cannot tell which that is.
+// How the ray leaves cells through the first of the faces ahead. Not sure if its t cannot decide which that is.
 fn voxc_r4_4_4_g8_leave(ray: voxc_r4_4_4_g8_Ray, face: vec3<f32>) -> voxc_r4_4_4_g8_Exit {
   let t = voxc_r4_4_4_g8_times_of(ray, face);
   let first = voxc_r4_4_4_g8_least_of(t);
   let second = voxc_r4_4_4_g8_second_least_of(t); // Of negative ones, none that is sure.
   return voxc_r4_4_4_g8_Exit(first, t == vec3<f32>(first),
-      second > first + (first * voxc_r4_4_4_g8_ROUNDINGS + ray.slack));
+      second > first + (first * voxc_r4_4_4_g8_ROUNDINGS + ray.t_error));
 }
 
 // The cell that a ray comes to where it leaves others, of which `cell` is one, by one of the faces ahead. Not sure if
-// its point cannot tell on which side of another face that is.
+// its point cannot decide on which side of another face that is.
 fn voxc_r4_4_4_g8_cell_beyond(ray: voxc_r4_4_4_g8_Ray, face: vec3<f32>, leaving: ptr<function,
     voxc_r4_4_4_g8_Exit>) -> vec3<i32> {
-  let point = select(ray.lowest + (*leaving).t * ray.direction, face + ray.beyond, (*leaving).passed);
+  let point = select(ray.origin_low + (*leaving).t * ray.direction, face + ray.beyond, (*leaving).passed);
   let whole = floor(point);
-  let is_certain = voxc_r4_4_4_g8_greatest_of(point - whole) < ray.certain;
+  let is_certain = voxc_r4_4_4_g8_greatest_of(point - whole) < ray.cell_margin;
   (*leaving).sure = (*leaving).sure && is_certain;
   return vec3<i32>(whole);
 }
 
-// Settles the step over the gap around the walk's cell: which faces the ray passes first, of those that float32 cannot
-// tell apart, and then by bisection to which cell it comes. All questions are asked at one place, since devices of wide
-// vectors run through it as often as any ray needs it. Where the device cuts it short, the walk stays where it is.
-fn voxc_r4_4_4_g8_settled(ray: voxc_r4_4_4_g8_Ray, given_walk: voxc_r4_4_4_g8_Walk,
-    gap: voxc_r4_4_4_g8_Gap) -> voxc_r4_4_4_g8_Walk {
-  var walk: voxc_r4_4_4_g8_Walk = given_walk;
-  let side = gap.count << u32(gap.log2_side);
-  let corner = voxc_r4_4_4_g8_corner_of_gap(ray, walk.cell, gap);
+// Resolves the step over the empty span around the traversal's cell: which faces the ray passes first, of those that
+// float32 cannot decide apart, and then by bisection to which cell it comes. All questions are asked at one place,
+// since devices of wide vectors run through it as often as any ray needs it. Where the device cuts it short, the
+// traversal stays where it is.
+fn voxc_r4_4_4_g8_exact_step(ray: voxc_r4_4_4_g8_Ray, given_traversal: voxc_r4_4_4_g8_Traversal,
+    span: voxc_r4_4_4_g8_EmptySpan) -> voxc_r4_4_4_g8_Traversal {
+  var traversal: voxc_r4_4_4_g8_Traversal = given_traversal;
+  let side = span.count << u32(span.log2_side);
+  let corner = voxc_r4_4_4_g8_corner_of_emptyspan(ray, traversal.cell, span);
   let face = corner + (ray.ahead & vec3<i32>(side));
   let t = voxc_r4_4_4_g8_times_of(ray, vec3<f32>(face));
   let earliest = min(min(t.x, t.y), t.z);
-  let may_be_first = t <= vec3<f32>(earliest + (earliest * voxc_r4_4_4_g8_ROUNDINGS + ray.slack));
+  let may_be_first = t <= vec3<f32>(earliest + (earliest * voxc_r4_4_4_g8_ROUNDINGS + ray.t_error));
   let bits = vec3<i32>(may_be_first) * vec3<i32>(ray.moves);
   var axes: i32 = bits.x | (bits.y << 1u) | (bits.z << 2u);
   var first: i32 = i32(firstTrailingBit(u32(axes)));
@@ -475,59 +479,61 @@ fn voxc_r4_4_4_g8_settled(ray: voxc_r4_4_4_g8_Ray, given_walk: voxc_r4_4_4_g8_Wa
     }
   }
   if (all(range.least == range.most)) {
-    walk.cell = range.least;
-    walk.axis = crossing.axis;
+    traversal.cell = range.least;
+    traversal.axis = crossing.axis;
   }
-  return walk;
+  return traversal;
 }
 
-// Settles the step of a walk that was left open.
-fn voxc_r4_4_4_g8_settle_step(ray: voxc_r4_4_4_g8_Ray, walk: ptr<function, voxc_r4_4_4_g8_Walk>) {
-  let gap = voxc_r4_4_4_g8_Gap((*walk).open & 31, (*walk).open >> 5u);
-  (*walk).open = voxc_r4_4_4_g8_CLOSED;
-  (*walk).cell = ~(*walk).cell;
-  *walk = voxc_r4_4_4_g8_settled(ray, *walk, gap);
+// Resolves the step of a traversal that is pending.
+fn voxc_r4_4_4_g8_resolve_step(ray: voxc_r4_4_4_g8_Ray, traversal: ptr<function, voxc_r4_4_4_g8_Traversal>) {
+  let span = voxc_r4_4_4_g8_EmptySpan((*traversal).pending_step & 31, (*traversal).pending_step >> 5u);
+  (*traversal).pending_step = voxc_r4_4_4_g8_NO_PENDING_STEP;
+  (*traversal).cell = ~(*traversal).cell;
+  *traversal = voxc_r4_4_4_g8_exact_step(ray, *traversal, span);
 }
 
 // Steps from one cell of the ray to the next.
 
-// Ends a step over the gap around the walk's cell, or over that and more, which leads to another cell if that is sure.
-fn voxc_r4_4_4_g8_end_step(walk: ptr<function, voxc_r4_4_4_g8_Walk>, leaving: voxc_r4_4_4_g8_Exit, cell: vec3<i32>,
-    gap: voxc_r4_4_4_g8_Gap) {
-  (*walk).axis = select(select(0, 1, leaving.passed.y), 2, leaving.passed.z);
+// Ends a step over the empty span around the traversal's cell, or over that and more, which leads to another cell if
+// that is sure.
+fn voxc_r4_4_4_g8_end_step(traversal: ptr<function, voxc_r4_4_4_g8_Traversal>, leaving: voxc_r4_4_4_g8_Exit,
+    cell: vec3<i32>, span: voxc_r4_4_4_g8_EmptySpan) {
+  (*traversal).axis = select(select(0, 1, leaving.passed.y), 2, leaving.passed.z);
   let sure = leaving.sure;
-  // A step that is not sure is left open, and all loops end: what settles it stands outside of them, where lanes
+  // A step that is not sure is left pending, and all loops end: what resolves it stands outside of them, where lanes
   // that are sure need not wait for it.
   // The next turn may read what is there before it is known if the step is sure.
-  (*walk).cell = select(~(*walk).cell, cell, sure);
-  (*walk).open = select((gap.count << 5u) | gap.log2_side, voxc_r4_4_4_g8_CLOSED, sure);
-  voxc_r4_4_4_g8_count_step(walk);
+  (*traversal).cell = select(~(*traversal).cell, cell, sure);
+  (*traversal).pending_step = select((span.count << 5u) | span.log2_side, voxc_r4_4_4_g8_NO_PENDING_STEP, sure);
+  voxc_r4_4_4_g8_count_step(traversal);
 }
 
-// Steps over the gap around the walk's cell, of which these faces lie ahead.
-fn voxc_r4_4_4_g8_step_over(ray: voxc_r4_4_4_g8_Ray, walk: ptr<function, voxc_r4_4_4_g8_Walk>, gap: voxc_r4_4_4_g8_Gap,
-    face: vec3<f32>) {
+// Steps over the empty span around the traversal's cell, of which these faces lie ahead.
+fn voxc_r4_4_4_g8_step_over(ray: voxc_r4_4_4_g8_Ray, traversal: ptr<function, voxc_r4_4_4_g8_Traversal>,
+    span: voxc_r4_4_4_g8_EmptySpan, face: vec3<f32>) {
   var leaving: voxc_r4_4_4_g8_Exit = voxc_r4_4_4_g8_leave(ray, face);
   let cell = voxc_r4_4_4_g8_cell_beyond(ray, face, &leaving);
-  voxc_r4_4_4_g8_end_step(walk, leaving, cell, gap);
+  voxc_r4_4_4_g8_end_step(traversal, leaving, cell, span);
 }
 
-// Steps over the gap around the walk's cell.
-fn voxc_r4_4_4_g8_step_over_gap(ray: voxc_r4_4_4_g8_Ray, walk: ptr<function, voxc_r4_4_4_g8_Walk>,
-    gap: voxc_r4_4_4_g8_Gap) {
-  voxc_r4_4_4_g8_step_over(ray, walk, gap, vec3<f32>(voxc_r4_4_4_g8_faces_ahead(ray, (*walk).cell, gap)));
+// Steps over the empty span around the traversal's cell.
+fn voxc_r4_4_4_g8_step_over_emptyspan(ray: voxc_r4_4_4_g8_Ray, traversal: ptr<function, voxc_r4_4_4_g8_Traversal>,
+    span: voxc_r4_4_4_g8_EmptySpan) {
+  voxc_r4_4_4_g8_step_over(ray, traversal, span, vec3<f32>(voxc_r4_4_4_g8_faces_ahead(ray, (*traversal).cell, span)));
 }
 
-// Steps over the empty cube of 2^log2_side voxels a side around the walk's cell.
-fn voxc_r4_4_4_g8_step_over_int(ray: voxc_r4_4_4_g8_Ray, walk: ptr<function, voxc_r4_4_4_g8_Walk>, log2_side: i32) {
-  voxc_r4_4_4_g8_step_over_gap(ray, walk, voxc_r4_4_4_g8_Gap(log2_side, 1));
+// Steps over the empty cube of 2^log2_side voxels a side around the traversal's cell.
+fn voxc_r4_4_4_g8_step_over_int(ray: voxc_r4_4_4_g8_Ray, traversal: ptr<function, voxc_r4_4_4_g8_Traversal>,
+    log2_side: i32) {
+  voxc_r4_4_4_g8_step_over_emptyspan(ray, traversal, voxc_r4_4_4_g8_EmptySpan(log2_side, 1));
 }
 
-// Steps from the walk's voxel, which is empty, to the next.
-fn voxc_r4_4_4_g8_step_over_voxel(ray: voxc_r4_4_4_g8_Ray, walk: ptr<function, voxc_r4_4_4_g8_Walk>) {
-  let leaving = voxc_r4_4_4_g8_leave(ray, vec3<f32>((*walk).cell - ray.ahead));
-  voxc_r4_4_4_g8_end_step(walk, leaving, (*walk).cell + select(vec3<i32>(0), ray.heading, leaving.passed),
-      voxc_r4_4_4_g8_Gap(0, 1));
+// Steps from the traversal's voxel, which is empty, to the next.
+fn voxc_r4_4_4_g8_step_over_voxel(ray: voxc_r4_4_4_g8_Ray, traversal: ptr<function, voxc_r4_4_4_g8_Traversal>) {
+  let leaving = voxc_r4_4_4_g8_leave(ray, vec3<f32>((*traversal).cell - ray.ahead));
+  voxc_r4_4_4_g8_end_step(traversal, leaving, (*traversal).cell + select(vec3<i32>(0), ray.heading, leaving.passed),
+      voxc_r4_4_4_g8_EmptySpan(0, 1));
 }
 
 // Rays that begin far away, whose numbers would be too wrong to tell anything of a volume: they are moved along
@@ -551,7 +557,7 @@ fn voxc_r4_4_4_g8_far_away() -> f32 {
 struct voxc_r4_4_4_g8_Start {
   is_far: bool, // It still begins far away, and float32 tells nothing of it.
   wrong: f32,   // What may be wrong of its coordinates, beside a few roundings,
-  slack: f32,   // and of a t.
+  t_error: f32, // and of a t.
 }
 
 fn voxc_r4_4_4_g8_is_far(coordinate: vec3<f32>, moves: vec3<bool>) -> bool {
@@ -565,21 +571,21 @@ fn voxc_r4_4_4_g8_come_near(ray: ptr<function, voxc_r4_4_4_g8_Ray>) -> voxc_r4_4
   return voxc_r4_4_4_g8_Start(voxc_r4_4_4_g8_is_far((*ray).origin, (*ray).moves), 0.0f, 0.0f);
 }
 
-// Where a walk begins: in the cell of the ray's origin, or in the first cell of the volume that the ray comes to.
+// Where a traversal begins: in the cell of the ray's origin, or in the first cell of the volume that the ray comes to.
 
 const voxc_r4_4_4_g8_CLOSE: f32 = 1.0f / 2048.0f; // In voxels.
 
-// Bounds what float32 gets wrong in a walk through the volume, where the origin itself is wrong by `of_origin`, and a t
-// by `slack`. A coordinate that never changes stays in its cell.
-fn voxc_r4_4_4_g8_bound_errors(ray: ptr<function, voxc_r4_4_4_g8_Ray>, cell: vec3<f32>, of_origin: f32, slack: f32) {
+// Bounds what float32 gets wrong in a traversal through the volume, where the origin itself is wrong by `of_origin`,
+// and a t by `t_error`. A coordinate that never changes stays in its cell.
+fn voxc_r4_4_4_g8_bound_errors(ray: ptr<function, voxc_r4_4_4_g8_Ray>, cell: vec3<f32>, of_origin: f32, t_error: f32) {
   let half_size = 0.5f * vec3<f32>(voxc_r4_4_4_g8_VOLUME_SIZE);
   let reach = abs((*ray).origin - half_size) + half_size; // To the farther of the volume's two faces.
   var error: f32 = voxc_r4_4_4_g8_greatest_of(reach) * voxc_r4_4_4_g8_ROUNDINGS + of_origin;
-  error = min(error + 2.0f * slack, voxc_r4_4_4_g8_NEVER);
-  (*ray).slack = slack;
-  (*ray).lowest = select(cell + 0.25f, (*ray).origin - error, (*ray).moves);
-  (*ray).doubt = 2.0f * error;
-  (*ray).certain = 1.0f - (*ray).doubt;
+  error = min(error + 2.0f * t_error, voxc_r4_4_4_g8_NEVER);
+  (*ray).t_error = t_error;
+  (*ray).origin_low = select(cell + 0.25f, (*ray).origin - error, (*ray).moves);
+  (*ray).coordinate_error = 2.0f * error;
+  (*ray).cell_margin = 1.0f - (*ray).coordinate_error;
 }
 
 // True where the ray moves from a coordinate so close to 0 that it may pass that face before float32 says so, as scaled
@@ -640,11 +646,11 @@ fn voxc_r4_4_4_g8_start_at(ray: ptr<function, voxc_r4_4_4_g8_Ray>, cell: vec3<i3
   voxc_r4_4_4_g8_bound_errors(ray, vec3<f32>(cell), error, 2.0f * error * max(max(steep.x, steep.y), steep.z));
 }
 
-// Puts a walk into the cell that the ray comes to where it passes a face, in exact arithmetic. `cell` tells the
+// Puts a traversal into the cell that the ray comes to where it passes a face, in exact arithmetic. `cell` tells the
 // coordinates that never change.
-fn voxc_r4_4_4_g8_behind_face(ray: voxc_r4_4_4_g8_Ray, given_walk: voxc_r4_4_4_g8_Walk, cell: vec3<i32>, axis: i32,
-    face: i32) -> voxc_r4_4_4_g8_Walk {
-  var walk: voxc_r4_4_4_g8_Walk = given_walk;
+fn voxc_r4_4_4_g8_behind_face(ray: voxc_r4_4_4_g8_Ray, given_traversal: voxc_r4_4_4_g8_Traversal, cell: vec3<i32>,
+    axis: i32, face: i32) -> voxc_r4_4_4_g8_Traversal {
+  var traversal: voxc_r4_4_4_g8_Traversal = given_traversal;
   var crossing: voxc_r4_4_4_g8_Crossing;
   crossing.t = (f32(face) - ray.origin[axis]) * ray.inverse[axis] - ray.late[axis];
   crossing.axis = axis;
@@ -656,42 +662,42 @@ fn voxc_r4_4_4_g8_behind_face(ray: voxc_r4_4_4_g8_Ray, given_walk: voxc_r4_4_4_g
   range.least[axis] = range.most[axis];
   range = voxc_r4_4_4_g8_approximate_cell(ray, crossing, range);
   var behind: vec3<i32> = range.least;
-  behind = voxc_r4_4_4_g8_settle(ray, crossing, range);
-  walk.cell = behind;
-  walk.axis = axis;
-  return walk;
+  behind = voxc_r4_4_4_g8_resolve_cell(ray, crossing, range);
+  traversal.cell = behind;
+  traversal.axis = axis;
+  return traversal;
 }
 
 // Finds the cell in which the ray enters the volume, in exact arithmetic: that of its origin, or through the last of
 // the faces that it must pass. A cell outside if there is none.
-fn voxc_r4_4_4_g8_entered_exactly(ray: ptr<function, voxc_r4_4_4_g8_Ray>, given_walk: voxc_r4_4_4_g8_Walk,
-    starts_far: bool) -> voxc_r4_4_4_g8_Walk {
-  var walk: voxc_r4_4_4_g8_Walk = given_walk;
+fn voxc_r4_4_4_g8_entered_exactly(ray: ptr<function, voxc_r4_4_4_g8_Ray>, given_traversal: voxc_r4_4_4_g8_Traversal,
+    starts_far: bool) -> voxc_r4_4_4_g8_Traversal {
+  var traversal: voxc_r4_4_4_g8_Traversal = given_traversal;
   let cell = voxc_r4_4_4_g8_floor_of((*ray).given_origin);
   let below = vec3<i32>(cell < vec3<i32>(0));
   let above = vec3<i32>(cell >= voxc_r4_4_4_g8_VOLUME_SIZE);
   let enters = below * (vec3<i32>((*ray).moves) - vec3<i32>((*ray).falls)) + above * vec3<i32>((*ray).falls);
-  walk.cell = cell;
+  traversal.cell = cell;
   if (all(enters == vec3<i32>(0)) || any(enters != below + above)) {
-    return walk;
+    return traversal;
   }
   let face = select(vec3<i32>(0), voxc_r4_4_4_g8_VOLUME_SIZE, (*ray).falls);
   let axis = voxc_r4_4_4_g8_last_entered(*ray, enters > vec3<i32>(0), face);
   if (starts_far) {
     voxc_r4_4_4_g8_start_at(ray, cell, axis, face[axis]);
   }
-  return voxc_r4_4_4_g8_behind_face(*ray, walk, cell, axis, face[axis]);
+  return voxc_r4_4_4_g8_behind_face(*ray, traversal, cell, axis, face[axis]);
 }
 
 // The same by float32 or doubles, of an ordinary ray: it passes the last of these faces, or is past all of them. Not
-// sure if that cannot tell which face is the last, or which cell is behind it.
-fn voxc_r4_4_4_g8_entered(ray: voxc_r4_4_4_g8_Ray, given_walk: voxc_r4_4_4_g8_Walk, face: vec3<f32>, sure: ptr<function,
-    bool>) -> voxc_r4_4_4_g8_Walk {
-  var walk: voxc_r4_4_4_g8_Walk = given_walk;
+// sure if that cannot decide which face is the last, or which cell is behind it.
+fn voxc_r4_4_4_g8_entered(ray: voxc_r4_4_4_g8_Ray, given_traversal: voxc_r4_4_4_g8_Traversal, face: vec3<f32>,
+    sure: ptr<function, bool>) -> voxc_r4_4_4_g8_Traversal {
+  var traversal: voxc_r4_4_4_g8_Traversal = given_traversal;
   let LATEST = 281474976710656.0f; // 2^48: a ray of a voxel a moment is past the volume by then, whatever enters last.
   // A coordinate that never changes stays outside.
   var t: vec3<f32> = select(vec3<f32>(-1.0f), voxc_r4_4_4_g8_times_of(ray, face), ray.moves);
-  let is_as_given = ray.slack == 0.0f; // Else it has come near, and does not begin here.
+  let is_as_given = ray.t_error == 0.0f; // Else it has come near, and does not begin here.
   // From a last face, which is not in the volume, a ray enters at 0; its t is a 0 with a sign.
   let last_face = select(vec3<f32>(voxc_r4_4_4_g8_NEVER), face, ray.falls);
   let on_face = ray.origin == select(vec3<f32>(voxc_r4_4_4_g8_NEVER), last_face, is_as_given);
@@ -700,49 +706,49 @@ fn voxc_r4_4_4_g8_entered(ray: voxc_r4_4_4_g8_Ray, given_walk: voxc_r4_4_4_g8_Wa
   let before = voxc_r4_4_4_g8_second_least_of(t);
   let passed = t == vec3<f32>(latest);
   let begins_here = !(latest > 0.0f) && is_as_given && !any(on_face);
-  var point: vec3<f32> = select(ray.lowest + latest * ray.direction, face + ray.beyond, passed);
+  var point: vec3<f32> = select(ray.origin_low + latest * ray.direction, face + ray.beyond, passed);
   point = select(point, ray.origin, begins_here);
   let whole = floor(point);
-  let is_last = before < latest - (latest * voxc_r4_4_4_g8_ROUNDINGS + ray.slack);
-  let is_certain = voxc_r4_4_4_g8_greatest_of(point - whole) < ray.certain;
+  let is_last = before < latest - (latest * voxc_r4_4_4_g8_ROUNDINGS + ray.t_error);
+  let is_certain = voxc_r4_4_4_g8_greatest_of(point - whole) < ray.cell_margin;
   let is_sure = begins_here || (is_last && is_certain);
   *sure = *sure && is_sure;
-  walk.cell = vec3<i32>(clamp(whole, vec3<f32>(-1.0f), vec3<f32>(4194304.0f)));
-  walk.axis = select(select(select(2, 1, passed.y), 0, passed.x), -1, begins_here);
-  return walk;
+  traversal.cell = vec3<i32>(clamp(whole, vec3<f32>(-1.0f), vec3<f32>(4194304.0f)));
+  traversal.axis = select(select(select(2, 1, passed.y), 0, passed.x), -1, begins_here);
+  return traversal;
 }
 
-// Puts the walk into the first cell of the volume on the ray; false if there is none, or if the ray is left.
-fn voxc_r4_4_4_g8_enter_volume(ray: ptr<function, voxc_r4_4_4_g8_Ray>, walk: ptr<function, voxc_r4_4_4_g8_Walk>,
-    ordinary: bool) -> bool {
+// Puts the traversal into the first cell of the volume on the ray; false if there is none, or if the ray is left.
+fn voxc_r4_4_4_g8_enter_volume(ray: ptr<function, voxc_r4_4_4_g8_Ray>, traversal: ptr<function,
+    voxc_r4_4_4_g8_Traversal>, ordinary: bool) -> bool {
   let face = select(vec3<f32>(0.0f), vec3<f32>(voxc_r4_4_4_g8_VOLUME_SIZE), (*ray).falls);
   let cell = floor((*ray).origin);
   var near: voxc_r4_4_4_g8_Start = voxc_r4_4_4_g8_come_near(ray);
   if (!ordinary && any(voxc_r4_4_4_g8_starts_tiny(*ray))) {
-    near.slack = voxc_r4_4_4_g8_NEVER;
+    near.t_error = voxc_r4_4_4_g8_NEVER;
   }
-  voxc_r4_4_4_g8_bound_errors(ray, cell, near.wrong, near.slack);
-  let has_begun = voxc_r4_4_4_g8_is_in_volume((*walk).cell) || ((*walk).open >= 0);
+  voxc_r4_4_4_g8_bound_errors(ray, cell, near.wrong, near.t_error);
+  let has_begun = voxc_r4_4_4_g8_is_in_volume((*traversal).cell) || ((*traversal).pending_step >= 0);
   if (has_begun && !near.is_far) {
     return true; // Where it has entered need not be found again.
   }
   var sure: bool = ordinary && !near.is_far;
-  var start: voxc_r4_4_4_g8_Walk = voxc_r4_4_4_g8_entered(*ray, *walk, face, &sure);
+  var start: voxc_r4_4_4_g8_Traversal = voxc_r4_4_4_g8_entered(*ray, *traversal, face, &sure);
   if (!sure) {
     // What a function may change by reference stands in memory; the ray itself need not.
     var moved: voxc_r4_4_4_g8_Ray = *ray;
-    start = voxc_r4_4_4_g8_entered_exactly(&moved, *walk, near.is_far);
+    start = voxc_r4_4_4_g8_entered_exactly(&moved, *traversal, near.is_far);
     *ray = moved;
   }
-  *walk = start;
-  return voxc_r4_4_4_g8_is_in_volume((*walk).cell);
+  *traversal = start;
+  return voxc_r4_4_4_g8_is_in_volume((*traversal).cell);
 }
 
-// A ray as given, made ready for walking.
+// A ray as given, made ready for the traversal.
 
 const voxc_r4_4_4_g8_LEAST_COMPONENT: f32 = 1.0f / 1099511627776.0f / 1099511627776.0f; // 2^-80.
 
-// Most rays are ordinary: float32 walks with them as they are, and nothing overflows or is lost on the way. Their
+// Most rays are ordinary: float32 traverses with them as they are, and nothing overflows or is lost on the way. Their
 // direction is scaled without a rounding, all numbers of theirs are then 0 or at least 2^-80, and they begin within
 // 2^45 voxels, or near the volume if rays from far away are not moved. `longest` has the bits of the direction's
 // longest component, and `component` is the direction once it is scaled.
@@ -808,17 +814,17 @@ fn voxc_r4_4_4_g8_prepare_ray(origin: vec3<u32>, direction: vec3<u32>, ordinary:
   return ray;
 }
 
-// From a ray to its walk, and the end of the walk.
+// From a ray to its traversal, and the end of the traversal.
 
 // A ray that goes nowhere can hit its own cell alone: it is let go anywhere, and takes no later hit.
 fn voxc_r4_4_4_g8_goes_nowhere(direction: vec3<u32>) -> bool {
   return ((direction.x | direction.y | direction.z) & ~voxc_r4_4_4_g8_SIGN_BIT) == 0u;
 }
 
-// Makes a ray ready, and its walk too, if that has not begun. False if there is nothing to walk through, or if the ray
-// is left.
-fn voxc_r4_4_4_g8_begin_walk(origin: vec3<u32>, direction: vec3<u32>, root: u32, ray: ptr<function, voxc_r4_4_4_g8_Ray>,
-    walk: ptr<function, voxc_r4_4_4_g8_Walk>) -> bool {
+// Makes a ray ready, and its traversal too, if that has not begun. False if there is nothing to go through, or if the
+// ray is left.
+fn voxc_r4_4_4_g8_begin_traversal(origin: vec3<u32>, direction: vec3<u32>, root: u32, ray: ptr<function,
+    voxc_r4_4_4_g8_Ray>, traversal: ptr<function, voxc_r4_4_4_g8_Traversal>) -> bool {
   let stays = voxc_r4_4_4_g8_goes_nowhere(direction);
   var ordinary: bool;
   *ray = voxc_r4_4_4_g8_prepare_ray(origin, select(direction, vec3<u32>(bitcast<u32>(1.0f), 0u, 0u), stays), &ordinary);
@@ -828,27 +834,27 @@ fn voxc_r4_4_4_g8_begin_walk(origin: vec3<u32>, direction: vec3<u32>, root: u32,
   if (!(voxc_r4_4_4_g8_are_finite(origin) && voxc_r4_4_4_g8_are_finite(direction))) {
     return false;
   }
-  var start: voxc_r4_4_4_g8_Walk = *walk;
+  var start: voxc_r4_4_4_g8_Traversal = *traversal;
   let enters = voxc_r4_4_4_g8_enter_volume(ray, &start, ordinary);
-  let may_have_begun = true; // A dispatch that does not settle begins all its rays.
-  let has_begun = may_have_begun && (voxc_r4_4_4_g8_is_in_volume((*walk).cell)
-      || ((*walk).open != voxc_r4_4_4_g8_CLOSED));
+  let may_have_begun = true; // A dispatch without the exact fallback begins all its rays.
+  let has_begun = may_have_begun && (voxc_r4_4_4_g8_is_in_volume((*traversal).cell)
+      || ((*traversal).pending_step != voxc_r4_4_4_g8_NO_PENDING_STEP));
   if (!enters || !has_begun) {
-    *walk = start;
+    *traversal = start;
   }
   return enters;
 }
 
-// What becomes of a hit: a ray that goes nowhere loses what is not in its own cell, once its walk has begun.
-fn voxc_r4_4_4_g8_end_walk(origin: vec3<u32>, direction: vec3<u32>, walk: ptr<function, voxc_r4_4_4_g8_Walk>,
-    hit: bool) -> bool {
+// What becomes of a hit: a ray that goes nowhere loses what is not in its own cell, once its traversal has begun.
+fn voxc_r4_4_4_g8_end_traversal(origin: vec3<u32>, direction: vec3<u32>, traversal: ptr<function,
+    voxc_r4_4_4_g8_Traversal>, hit: bool) -> bool {
   let may_stay = true; // Packets go on with rays that exact arithmetic has prepared.
-  if (!may_stay || !voxc_r4_4_4_g8_goes_nowhere(direction) || ((*walk).open == voxc_r4_4_4_g8_AGAIN)
-      || all((*walk).cell == voxc_r4_4_4_g8_floor_of(origin))) {
+  if (!may_stay || !voxc_r4_4_4_g8_goes_nowhere(direction) || ((*traversal).pending_step == voxc_r4_4_4_g8_RETRY)
+      || all((*traversal).cell == voxc_r4_4_4_g8_floor_of(origin))) {
     return hit;
   }
-  (*walk).cell = vec3<i32>(-1);
-  (*walk).open = voxc_r4_4_4_g8_CLOSED;
+  (*traversal).cell = vec3<i32>(-1);
+  (*traversal).pending_step = voxc_r4_4_4_g8_NO_PENDING_STEP;
   return false;
 }
 
@@ -990,7 +996,7 @@ fn voxc_r4_4_4_g8_time_exactly(ray: voxc_r4_4_4_g8_Ray, axis: i32, face: i32) ->
 }
 
 // The same, as fast as it can be told. Where a device promises little of its arithmetic, integers tell it of every hit:
-// a dispatch that does not settle would leave each of them to one that does.
+// a dispatch that does not resolve would defer each of them to one with it.
 fn voxc_r4_4_4_g8_crossing_time(ray: voxc_r4_4_4_g8_Ray, axis: i32, face: i32, sure: ptr<function, bool>) -> u32 {
   *sure = false;
   var bits: u32 = 0u;
@@ -1002,8 +1008,8 @@ fn voxc_r4_4_4_g8_crossing_time(ray: voxc_r4_4_4_g8_Ray, axis: i32, face: i32, s
 }
 
 // The face through which the ray entered its cell.
-fn voxc_r4_4_4_g8_entered_face(ray: voxc_r4_4_4_g8_Ray, walk: voxc_r4_4_4_g8_Walk) -> i32 {
-  return walk.cell[walk.axis] + select(0, 1, ray.falls[walk.axis]);
+fn voxc_r4_4_4_g8_entered_face(ray: voxc_r4_4_4_g8_Ray, traversal: voxc_r4_4_4_g8_Traversal) -> i32 {
+  return traversal.cell[traversal.axis] + select(0, 1, ray.falls[traversal.axis]);
 }
 
 // How a ray comes to the voxel that it hits.
@@ -1020,50 +1026,52 @@ fn voxc_r4_4_4_g8_enters_together(ray: voxc_r4_4_4_g8_Ray, face: vec3<i32>, a: i
       face[b]) == 0;
 }
 
-// The first axis on which the ray comes into the walk's cell as it enters that. Not sure if steps cannot tell. Without
-// exactness, of several, at an edge, the one that the walk has met.
-fn voxc_r4_4_4_g8_first_axis(ray: voxc_r4_4_4_g8_Ray, walk: voxc_r4_4_4_g8_Walk, sure: ptr<function, bool>) -> i32 {
+// The first axis on which the ray comes into the traversal's cell as it enters that. Not sure if steps cannot decide.
+// Without exactness, of several, at an edge, the one that the traversal has met.
+fn voxc_r4_4_4_g8_first_axis(ray: voxc_r4_4_4_g8_Ray, traversal: voxc_r4_4_4_g8_Traversal, sure: ptr<function,
+    bool>) -> i32 {
   *sure = true;
-  var first: i32 = walk.axis;
-  let face = walk.cell + vec3<i32>(ray.falls);
+  var first: i32 = traversal.axis;
+  let face = traversal.cell + vec3<i32>(ray.falls);
   let t = voxc_r4_4_4_g8_times_of(ray, vec3<f32>(face));
   for (var axis: i32 = 0; axis < 2; axis++) {
-    let apart = abs(t[axis] - t[walk.axis]);
-    let doubt = min(abs(t[axis]), abs(t[walk.axis])) * voxc_r4_4_4_g8_ROUNDINGS + ray.slack;
-    if (axis < first && ray.moves[axis] && ray.falls[axis] == ray.falls[walk.axis] && !(apart > doubt)) {
+    let apart = abs(t[axis] - t[traversal.axis]);
+    let bound = min(abs(t[axis]), abs(t[traversal.axis])) * voxc_r4_4_4_g8_ROUNDINGS + ray.t_error;
+    if (axis < first && ray.moves[axis] && ray.falls[axis] == ray.falls[traversal.axis] && !(apart > bound)) {
       *sure = false;
     }
   }
   if (!*sure) {
     *sure = true;
     for (var axis: i32 = 1; axis >= 0; axis--) {
-      first = select(first, axis, axis < walk.axis && voxc_r4_4_4_g8_enters_together(ray, face, axis, walk.axis));
+      first = select(first, axis, axis < traversal.axis && voxc_r4_4_4_g8_enters_together(ray, face, axis,
+          traversal.axis));
     }
   }
   return first;
 }
 
-// How the ray came to the walk's cell. Not sure where float32 or doubles cannot tell.
-fn voxc_r4_4_4_g8_arrival_at(ray: voxc_r4_4_4_g8_Ray, walk: voxc_r4_4_4_g8_Walk, hit: bool, sure: ptr<function,
-    bool>) -> voxc_r4_4_4_g8_Arrival {
+// How the ray came to the traversal's cell. Not sure where float32 or doubles cannot decide.
+fn voxc_r4_4_4_g8_arrival_at(ray: voxc_r4_4_4_g8_Ray, traversal: voxc_r4_4_4_g8_Traversal, hit: bool,
+    sure: ptr<function, bool>) -> voxc_r4_4_4_g8_Arrival {
   var arrival: voxc_r4_4_4_g8_Arrival;
   arrival.t = 0u;
   arrival.face = voxc_r4_4_4_g8_BEGINS_INSIDE;
   *sure = true;
-  if (!hit || (walk.axis < 0)) {
+  if (!hit || (traversal.axis < 0)) {
     return arrival;
   }
-  arrival.t = voxc_r4_4_4_g8_crossing_time(ray, walk.axis, voxc_r4_4_4_g8_entered_face(ray, walk), sure);
+  arrival.t = voxc_r4_4_4_g8_crossing_time(ray, traversal.axis, voxc_r4_4_4_g8_entered_face(ray, traversal), sure);
   var sure_of_axis: bool;
-  let axis = voxc_r4_4_4_g8_first_axis(ray, walk, &sure_of_axis);
+  let axis = voxc_r4_4_4_g8_first_axis(ray, traversal, &sure_of_axis);
   arrival.face = 2u * u32(axis) + u32(ray.falls[axis]);
   *sure = *sure && sure_of_axis;
   return arrival;
 }
 
-// A single voxel: the walk has arrived.
-fn voxc_r4_4_4_g8_intersect_voxel(walk: ptr<function, voxc_r4_4_4_g8_Walk>, voxel: u32) -> bool {
-  (*walk).voxel = voxel;
+// A single voxel: the traversal has arrived.
+fn voxc_r4_4_4_g8_intersect_voxel(traversal: ptr<function, voxc_r4_4_4_g8_Traversal>, voxel: u32) -> bool {
+  (*traversal).voxel = voxel;
   return true;
 }
 
@@ -1094,15 +1102,15 @@ fn voxc_r4_4_4_g8_child_level_2(volume: u32, node: u32, cell: vec3<i32>, height:
   return voxc_r4_4_4_g8_load_word(volume, node + 1u + countOneBits(masks & ((1u << u32(child)) - 1u)));
 }
 
-// path[i] is the node i layers above the cells around the walk's cell: a step climbs only to the ancestor of the old
-// cell and the new.
-fn voxc_r4_4_4_g8_intersect_level_2(volume: u32, ray: voxc_r4_4_4_g8_Ray, walk: ptr<function, voxc_r4_4_4_g8_Walk>,
-    root: u32) -> bool {
+// path[i] is the node i layers above the cells around the traversal's cell: a step climbs only to the ancestor of the
+// old cell and the new.
+fn voxc_r4_4_4_g8_intersect_level_2(volume: u32, ray: voxc_r4_4_4_g8_Ray, traversal: ptr<function,
+    voxc_r4_4_4_g8_Traversal>, root: u32) -> bool {
   var path: array<u32, voxc_r4_4_4_g8_LEVEL_2_DEPTH + 1>;
   path[voxc_r4_4_4_g8_LEVEL_2_DEPTH] = root;
   var top: i32 = voxc_r4_4_4_g8_LEVEL_2_DEPTH;
   for (;;) {
-    let cell = (*walk).cell >> vec3<u32>(u32(voxc_r4_4_4_g8_LEVEL_2_LOG2_CELL));
+    let cell = (*traversal).cell >> vec3<u32>(u32(voxc_r4_4_4_g8_LEVEL_2_LOG2_CELL));
     var node: u32 = path[top];
     var layer: i32 = top;
     var leaf: bool = false;
@@ -1111,13 +1119,13 @@ fn voxc_r4_4_4_g8_intersect_level_2(volume: u32, ray: voxc_r4_4_4_g8_Ray, walk: 
       layer--;
       node = voxc_r4_4_4_g8_child_level_2(volume, node, cell, layer, &leaf);
     }
-    let before = (*walk).cell;
+    let before = (*traversal).cell;
     if (node == 0u) {
-      voxc_r4_4_4_g8_step_over_int(ray, walk, voxc_r4_4_4_g8_LEVEL_2_LOG2_CELL + layer);
-    } else if (leaf && voxc_r4_4_4_g8_intersect_voxel(walk, node)) {
+      voxc_r4_4_4_g8_step_over_int(ray, traversal, voxc_r4_4_4_g8_LEVEL_2_LOG2_CELL + layer);
+    } else if (leaf && voxc_r4_4_4_g8_intersect_voxel(traversal, node)) {
       return true;
     }
-    let changed = before ^ (*walk).cell;
+    let changed = before ^ (*traversal).cell;
     let highest = i32(firstLeadingBit(u32(changed.x | changed.y | changed.z)));
     if (highest >= voxc_r4_4_4_g8_LEVEL_2_LOG2_SIDE) {
       return false;
@@ -1144,15 +1152,15 @@ fn voxc_r4_4_4_g8_cell_level_1(volume: u32, grid: u32, cell: vec3<i32>) -> u32 {
   return voxc_r4_4_4_g8_load_word(volume, slot);
 }
 
-fn voxc_r4_4_4_g8_intersect_level_1(volume: u32, ray: voxc_r4_4_4_g8_Ray, walk: ptr<function, voxc_r4_4_4_g8_Walk>,
-    grid: u32) -> bool {
-  while (voxc_r4_4_4_g8_goes_on(*walk)) {
-    let gap = voxc_r4_4_4_g8_Gap(voxc_r4_4_4_g8_LEVEL_1_LOG2_CELL, 1);
+fn voxc_r4_4_4_g8_intersect_level_1(volume: u32, ray: voxc_r4_4_4_g8_Ray, traversal: ptr<function,
+    voxc_r4_4_4_g8_Traversal>, grid: u32) -> bool {
+  while (voxc_r4_4_4_g8_goes_on(*traversal)) {
+    let span = voxc_r4_4_4_g8_EmptySpan(voxc_r4_4_4_g8_LEVEL_1_LOG2_CELL, 1);
     let value = voxc_r4_4_4_g8_cell_level_1(volume, grid,
-        (*walk).cell >> vec3<u32>(u32(voxc_r4_4_4_g8_LEVEL_1_LOG2_CELL)));
+        (*traversal).cell >> vec3<u32>(u32(voxc_r4_4_4_g8_LEVEL_1_LOG2_CELL)));
     if (value == 0u) {
-      voxc_r4_4_4_g8_step_over_gap(ray, walk, gap);
-    } else if (voxc_r4_4_4_g8_intersect_level_2(volume, ray, walk, value)) {
+      voxc_r4_4_4_g8_step_over_emptyspan(ray, traversal, span);
+    } else if (voxc_r4_4_4_g8_intersect_level_2(volume, ray, traversal, value)) {
       return true;
     }
   }
@@ -1160,24 +1168,25 @@ fn voxc_r4_4_4_g8_intersect_level_1(volume: u32, ray: voxc_r4_4_4_g8_Ray, walk: 
 }
 
 // What a voxel is: here its value is its colour.
-fn voxc_r4_4_4_g8_colour_of(volume: u32, walk: voxc_r4_4_4_g8_Walk) -> u32 {
-  return voxc_r4_4_4_g8_load_word(volume, walk.voxel);
+fn voxc_r4_4_4_g8_colour_of(volume: u32, traversal: voxc_r4_4_4_g8_Traversal) -> u32 {
+  return voxc_r4_4_4_g8_load_word(volume, traversal.voxel);
 }
 
 // ---- What follows is the same in every kernel ----
 
-// Goes on with a walk to its end, or until it is left.
-fn voxc_r4_4_4_g8_walk_on(volume: u32, ray: voxc_r4_4_4_g8_Ray, walk: ptr<function, voxc_r4_4_4_g8_Walk>,
-    root: u32) -> bool {
+// Goes on with a traversal to its end, or until it is left.
+fn voxc_r4_4_4_g8_continue_traversal(volume: u32, ray: voxc_r4_4_4_g8_Ray, traversal: ptr<function,
+    voxc_r4_4_4_g8_Traversal>, root: u32) -> bool {
   var hit: bool = false;
   var is_under_way: bool = true;
   while (is_under_way) {
-    while ((*walk).open >= 0) {
-      voxc_r4_4_4_g8_settle_step(ray, walk);
+    while ((*traversal).pending_step >= 0) {
+      voxc_r4_4_4_g8_resolve_step(ray, traversal);
     }
-    // What was settled may have been the last step inside.
-    hit = voxc_r4_4_4_g8_is_in_volume((*walk).cell) && voxc_r4_4_4_g8_intersect_level_1(volume, ray, walk, root);
-    is_under_way = (*walk).open >= 0;
+    // What was resolved may have been the last step inside.
+    hit = voxc_r4_4_4_g8_is_in_volume((*traversal).cell) && voxc_r4_4_4_g8_intersect_level_1(volume, ray, traversal,
+        root);
+    is_under_way = (*traversal).pending_step >= 0;
   }
   return hit;
 }
@@ -1208,7 +1217,7 @@ fn voxc_r4_4_4_g8_bounds_between(tmin: u32, tmax: u32) -> voxc_r4_4_4_g8_Bounds 
   return bounds;
 }
 
-const voxc_r4_4_4_g8_UNTOLD: i32 = 2; // No order: it cannot be told here.
+const voxc_r4_4_4_g8_UNDECIDED: i32 = 2; // No order: it cannot be told here.
 
 // The order of the moment at which a coordinate passes a face and another moment, where
 // (face - origin) * 1 - moment * direction has this sign.
@@ -1232,57 +1241,58 @@ fn voxc_r4_4_4_g8_order_told(ray: voxc_r4_4_4_g8_Ray, axis: i32, moment: u32, la
   if (told) {
     return voxc_r4_4_4_g8_order_by_sign(ray, axis, select(select(0, -1, sooner), 1, later));
   }
-  return voxc_r4_4_4_g8_UNTOLD;
+  return voxc_r4_4_4_g8_UNDECIDED;
 }
 
 // The same by float32, whose distance and way are rounded once each.
 fn voxc_r4_4_4_g8_compare_moment_by_floats(ray: voxc_r4_4_4_g8_Ray, axis: i32, face: i32, moment: u32) -> i32 {
   let distance = f32(face) - bitcast<f32>(ray.given_origin[axis]);
   let way = bitcast<f32>(moment) * bitcast<f32>(ray.given_direction[axis]);
-  let doubt = (abs(distance) + abs(way)) * voxc_r4_4_4_g8_ROUNDINGS;
-  return voxc_r4_4_4_g8_order_told(ray, axis, moment, distance - way > doubt, distance - way < -doubt, false);
+  let bound = (abs(distance) + abs(way)) * voxc_r4_4_4_g8_ROUNDINGS;
+  return voxc_r4_4_4_g8_order_told(ray, axis, moment, distance - way > bound, distance - way < -bound, false);
 }
 
 fn voxc_r4_4_4_g8_compare_moment(ray: voxc_r4_4_4_g8_Ray, axis: i32, face: i32, moment: u32) -> i32 {
   return voxc_r4_4_4_g8_compare_moment_by_floats(ray, axis, face, moment);
 }
 
-// Whether the ray enters the walk's cell before a moment, -1, at it, 0, or after it, 1. UNTOLD if only exact arithmetic
-// can tell, and that is not at hand, or the device has cut it short.
-fn voxc_r4_4_4_g8_compare_entry(ray: voxc_r4_4_4_g8_Ray, walk: voxc_r4_4_4_g8_Walk, moment: u32) -> i32 {
-  if (walk.axis < 0) {
+// Whether the ray enters the traversal's cell before a moment, -1, at it, 0, or after it, 1. UNDECIDED if only exact
+// arithmetic can tell, and that is not at hand, or the device has cut it short.
+fn voxc_r4_4_4_g8_compare_entry(ray: voxc_r4_4_4_g8_Ray, traversal: voxc_r4_4_4_g8_Traversal, moment: u32) -> i32 {
+  if (traversal.axis < 0) {
     return select(-1, 0, moment == 0u);
   }
-  let face = voxc_r4_4_4_g8_entered_face(ray, walk);
-  var order: i32 = voxc_r4_4_4_g8_compare_moment(ray, walk.axis, face, moment);
-  if (order == voxc_r4_4_4_g8_UNTOLD) {
-    order = voxc_r4_4_4_g8_compare_moment_exactly(ray, walk.axis, face, moment);
+  let face = voxc_r4_4_4_g8_entered_face(ray, traversal);
+  var order: i32 = voxc_r4_4_4_g8_compare_moment(ray, traversal.axis, face, moment);
+  if (order == voxc_r4_4_4_g8_UNDECIDED) {
+    order = voxc_r4_4_4_g8_compare_moment_exactly(ray, traversal.axis, face, moment);
   }
   return order;
 }
 
-// Where the entry of the walk's cell lies: before the bounds, -1, within them, 0, or after them, 1. UNTOLD as above.
-fn voxc_r4_4_4_g8_place_of_entry(ray: voxc_r4_4_4_g8_Ray, walk: voxc_r4_4_4_g8_Walk,
+// Where the entry of the traversal's cell lies: before the bounds, -1, within them, 0, or after them, 1. UNDECIDED as
+// above.
+fn voxc_r4_4_4_g8_place_of_entry(ray: voxc_r4_4_4_g8_Ray, traversal: voxc_r4_4_4_g8_Traversal,
     bounds: voxc_r4_4_4_g8_Bounds) -> i32 {
   var order: i32;
   if (bounds.tmin == 0u) {
     order = 0;
   } else {
-    order = voxc_r4_4_4_g8_compare_entry(ray, walk, bounds.tmin);
+    order = voxc_r4_4_4_g8_compare_entry(ray, traversal, bounds.tmin);
   }
-  if ((order < 0) || (order == voxc_r4_4_4_g8_UNTOLD)) {
+  if ((order < 0) || (order == voxc_r4_4_4_g8_UNDECIDED)) {
     return order;
   }
   if (bounds.tmax == voxc_r4_4_4_g8_INFINITY_BITS) {
     return 0;
   }
-  return max(voxc_r4_4_4_g8_compare_entry(ray, walk, bounds.tmax), 0);
+  return max(voxc_r4_4_4_g8_compare_entry(ray, traversal, bounds.tmax), 0);
 }
 
-// Moves a walk that begins long before a moment to a cell that the ray comes to shortly before.
-fn voxc_r4_4_4_g8_skip_to(ray: voxc_r4_4_4_g8_Ray, walk: ptr<function, voxc_r4_4_4_g8_Walk>, moment: u32) {
+// Moves a traversal that begins long before a moment to a cell that the ray comes to shortly before.
+fn voxc_r4_4_4_g8_skip_to(ray: voxc_r4_4_4_g8_Ray, traversal: ptr<function, voxc_r4_4_4_g8_Traversal>, moment: u32) {
   let WORTH_SKIPPING = 4; // In voxels.
-  if ((moment == 0u) || !voxc_r4_4_4_g8_is_in_volume((*walk).cell)) {
+  if ((moment == 0u) || !voxc_r4_4_4_g8_is_in_volume((*traversal).cell)) {
     return;
   }
   let size = ray.given_direction & vec3<u32>(~voxc_r4_4_4_g8_SIGN_BIT);
@@ -1297,13 +1307,13 @@ fn voxc_r4_4_4_g8_skip_to(ray: voxc_r4_4_4_g8_Ray, walk: ptr<function, voxc_r4_4
   let before = origin + way - heading * (2.0f + reach / 1048576.0f); // By more than a few roundings.
   let face = i32(floor(clamp(before, -1.0f, f32(voxc_r4_4_4_g8_VOLUME_SIZE[axis] + 1))));
   let behind = face - i32(ray.falls[axis]);
-  if ((behind - (*walk).cell[axis]) * ray.heading[axis] > WORTH_SKIPPING) {
-    *walk = voxc_r4_4_4_g8_behind_face(ray, *walk, (*walk).cell, axis, face);
+  if ((behind - (*traversal).cell[axis]) * ray.heading[axis] > WORTH_SKIPPING) {
+    *traversal = voxc_r4_4_4_g8_behind_face(ray, *traversal, (*traversal).cell, axis, face);
   }
 }
 
-// Lets a walk end shortly after a moment, where float32 can tell when that is.
-fn voxc_r4_4_4_g8_end_after(ray: voxc_r4_4_4_g8_Ray, walk: ptr<function, voxc_r4_4_4_g8_Walk>, moment: u32) {
+// Lets a traversal end shortly after a moment, where float32 can decide when that is.
+fn voxc_r4_4_4_g8_end_after(ray: voxc_r4_4_4_g8_Ray, traversal: ptr<function, voxc_r4_4_4_g8_Traversal>, moment: u32) {
   if (!ray.plain || (moment >= voxc_r4_4_4_g8_INFINITY_BITS) || (moment != 0u && moment < 0x800000u)) {
     return;
   }
@@ -1312,42 +1322,42 @@ fn voxc_r4_4_4_g8_end_after(ray: voxc_r4_4_4_g8_Ray, walk: ptr<function, voxc_r4
   let room = 2.0f + (abs(origin) + abs(way)) / 1048576.0f;
   let after = origin + way + vec3<f32>(ray.heading) * room;
   let last = vec3<i32>(clamp(floor(after), vec3<f32>(0.0f), vec3<f32>(voxc_r4_4_4_g8_VOLUME_SIZE - 1)));
-  (*walk).begin = select(vec3<i32>(0), last, ray.falls);
-  (*walk).size = select(voxc_r4_4_4_g8_VOLUME_SIZE, last + 1, ray.heading > vec3<i32>(0)) - (*walk).begin;
+  (*traversal).begin = select(vec3<i32>(0), last, ray.falls);
+  (*traversal).size = select(voxc_r4_4_4_g8_VOLUME_SIZE, last + 1, ray.heading > vec3<i32>(0)) - (*traversal).begin;
 }
 
-// Lets a walk that is ready end shortly after its bounds. False, and a miss, if nothing lies between them.
-fn voxc_r4_4_4_g8_bound_walk(ray: voxc_r4_4_4_g8_Ray, walk: ptr<function, voxc_r4_4_4_g8_Walk>,
+// Lets a traversal that is ready end shortly after its bounds. False, and a miss, if nothing lies between them.
+fn voxc_r4_4_4_g8_bound_traversal(ray: voxc_r4_4_4_g8_Ray, traversal: ptr<function, voxc_r4_4_4_g8_Traversal>,
     bounds: voxc_r4_4_4_g8_Bounds) -> bool {
   if (bounds.tmin > bounds.tmax) {
-    (*walk).cell = vec3<i32>(-1);
-    (*walk).open = voxc_r4_4_4_g8_CLOSED;
+    (*traversal).cell = vec3<i32>(-1);
+    (*traversal).pending_step = voxc_r4_4_4_g8_NO_PENDING_STEP;
     return false;
   }
-  voxc_r4_4_4_g8_end_after(ray, walk, bounds.tmax);
+  voxc_r4_4_4_g8_end_after(ray, traversal, bounds.tmax);
   return true;
 }
 
-// Goes on with a walk to the first voxel that the ray enters within the bounds. A walk of which that cannot be told
-// stays where it is, in that voxel; one that has come beyond the bounds ends.
-fn voxc_r4_4_4_g8_walk_within(volume: u32, ray: voxc_r4_4_4_g8_Ray, walk: ptr<function, voxc_r4_4_4_g8_Walk>, root: u32,
-    bounds: voxc_r4_4_4_g8_Bounds) -> bool {
+// Goes on with a traversal to the first voxel that the ray enters within the bounds. A traversal of which that cannot
+// be told stays where it is, in that voxel; one that has come beyond the bounds ends.
+fn voxc_r4_4_4_g8_traverse_within(volume: u32, ray: voxc_r4_4_4_g8_Ray, traversal: ptr<function,
+    voxc_r4_4_4_g8_Traversal>, root: u32, bounds: voxc_r4_4_4_g8_Bounds) -> bool {
   var found: bool = false;
   var place: i32 = -1;
   while (place < 0) {
-    found = (voxc_r4_4_4_g8_is_in_volume((*walk).cell) || ((*walk).open >= 0)) && voxc_r4_4_4_g8_walk_on(volume, ray,
-        walk, root);
+    found = (voxc_r4_4_4_g8_is_in_volume((*traversal).cell) || ((*traversal).pending_step >= 0))
+        && voxc_r4_4_4_g8_continue_traversal(volume, ray, traversal, root);
     if (found) {
-      place = voxc_r4_4_4_g8_place_of_entry(ray, *walk, bounds);
+      place = voxc_r4_4_4_g8_place_of_entry(ray, *traversal, bounds);
     } else {
       place = 0;
     }
     if (place < 0) {
-      voxc_r4_4_4_g8_step_over_voxel(ray, walk);
+      voxc_r4_4_4_g8_step_over_voxel(ray, traversal);
     }
   }
   if (found && place == 1) {
-    (*walk).cell = vec3<i32>(-1);
+    (*traversal).cell = vec3<i32>(-1);
   }
   return found && place == 0;
 }
@@ -1366,13 +1376,15 @@ struct voxc_r4_4_4_g8_Hit {
 
 fn voxc_r4_4_4_g8_miss() -> voxc_r4_4_4_g8_Hit { return voxc_r4_4_4_g8_Hit(vec3<i32>(-1), 0.0f, 0u, -1, 0); }
 
-fn voxc_r4_4_4_g8_hit_of(volume: u32, ray: voxc_r4_4_4_g8_Ray, walk: voxc_r4_4_4_g8_Walk) -> voxc_r4_4_4_g8_Hit {
+fn voxc_r4_4_4_g8_hit_of(volume: u32, ray: voxc_r4_4_4_g8_Ray,
+    traversal: voxc_r4_4_4_g8_Traversal) -> voxc_r4_4_4_g8_Hit {
   var sure: bool;
-  let arrival = voxc_r4_4_4_g8_arrival_at(ray, walk, true, &sure);
+  let arrival = voxc_r4_4_4_g8_arrival_at(ray, traversal, true, &sure);
   let inside = arrival.face == voxc_r4_4_4_g8_BEGINS_INSIDE;
   let axis = select(i32(arrival.face >> 1u), -1, inside);
   let side = select(select(-1, 1, (arrival.face & 1u) != 0u), 0, inside);
-  return voxc_r4_4_4_g8_Hit(walk.cell, bitcast<f32>(arrival.t), voxc_r4_4_4_g8_colour_of(volume, walk), axis, side);
+  return voxc_r4_4_4_g8_Hit(traversal.cell, bitcast<f32>(arrival.t), voxc_r4_4_4_g8_colour_of(volume, traversal), axis,
+      side);
 }
 
 // The normal of the face by which the ray enters, out of the voxel; 0 where there is none.
@@ -1396,23 +1408,24 @@ fn voxc_r4_4_4_g8_outside(origin: vec3<f32>, direction: vec3<f32>, hit: voxc_r4_
 
 // What is called from outside.
 
-// Walks from the ray's begin, or from behind the walk's voxel where it has one, to the next voxel within [tmin, tmax].
+// Goes from the ray's begin, or from behind the traversal's voxel where it has one, to the next voxel within [tmin,
+// tmax].
 fn voxc_r4_4_4_g8_seek(volume: u32, origin: vec3<u32>, direction: vec3<u32>, tmin: f32, tmax: f32, ray: ptr<function,
-    voxc_r4_4_4_g8_Ray>, walk: ptr<function, voxc_r4_4_4_g8_Walk>) -> bool {
-  let goes_past = voxc_r4_4_4_g8_is_in_volume((*walk).cell);
+    voxc_r4_4_4_g8_Ray>, traversal: ptr<function, voxc_r4_4_4_g8_Traversal>) -> bool {
+  let goes_past = voxc_r4_4_4_g8_is_in_volume((*traversal).cell);
   let bounds = voxc_r4_4_4_g8_bounds_between(bitcast<u32>(tmin), bitcast<u32>(tmax));
   let root = voxc_r4_4_4_g8_load_word(volume, 0u); // Leads to level 1, unless the volume is empty.
-  var found: bool = voxc_r4_4_4_g8_begin_walk(origin, direction, root, ray, walk) && voxc_r4_4_4_g8_bound_walk(*ray,
-      walk, bounds);
+  var found: bool = voxc_r4_4_4_g8_begin_traversal(origin, direction, root, ray,
+      traversal) && voxc_r4_4_4_g8_bound_traversal(*ray, traversal, bounds);
   if (found) {
     if (goes_past) {
-      voxc_r4_4_4_g8_step_over_voxel(*ray, walk);
+      voxc_r4_4_4_g8_step_over_voxel(*ray, traversal);
     } else {
-      voxc_r4_4_4_g8_skip_to(*ray, walk, bounds.tmin);
+      voxc_r4_4_4_g8_skip_to(*ray, traversal, bounds.tmin);
     }
-    found = voxc_r4_4_4_g8_walk_within(volume, *ray, walk, root, bounds);
+    found = voxc_r4_4_4_g8_traverse_within(volume, *ray, traversal, root, bounds);
   }
-  return voxc_r4_4_4_g8_end_walk(origin, direction, walk, found);
+  return voxc_r4_4_4_g8_end_traversal(origin, direction, traversal, found);
 }
 
 // The first voxel that the ray enters at a t in [tmin, tmax], in exact arithmetic; a NaN is in no interval. The voxel
@@ -1421,12 +1434,12 @@ fn voxc_r4_4_4_g8_seek(volume: u32, origin: vec3<u32>, direction: vec3<u32>, tmi
 fn voxc_r4_4_4_g8_closest(volume: u32, origin: vec3<f32>, direction: vec3<f32>, tmin: f32, tmax: f32, hit: ptr<function,
     voxc_r4_4_4_g8_Hit>) -> bool {
   var ray: voxc_r4_4_4_g8_Ray;
-  var walk: voxc_r4_4_4_g8_Walk = voxc_r4_4_4_g8_walk_at(vec3<i32>(-1));
+  var traversal: voxc_r4_4_4_g8_Traversal = voxc_r4_4_4_g8_traversal_at(vec3<i32>(-1));
   let found = voxc_r4_4_4_g8_seek(volume, bitcast<vec3<u32>>(origin), bitcast<vec3<u32>>(direction), tmin, tmax, &ray,
-      &walk);
+      &traversal);
   *hit = voxc_r4_4_4_g8_miss();
   if (found) {
-    *hit = voxc_r4_4_4_g8_hit_of(volume, ray, walk);
+    *hit = voxc_r4_4_4_g8_hit_of(volume, ray, traversal);
   }
   return found;
 }
@@ -1436,12 +1449,12 @@ fn voxc_r4_4_4_g8_closest(volume: u32, origin: vec3<f32>, direction: vec3<f32>, 
 fn voxc_r4_4_4_g8_next(volume: u32, origin: vec3<f32>, direction: vec3<f32>, tmax: f32, hit: ptr<function,
     voxc_r4_4_4_g8_Hit>) -> bool {
   var ray: voxc_r4_4_4_g8_Ray;
-  var walk: voxc_r4_4_4_g8_Walk = voxc_r4_4_4_g8_walk_at((*hit).voxel);
+  var traversal: voxc_r4_4_4_g8_Traversal = voxc_r4_4_4_g8_traversal_at((*hit).voxel);
   let found = voxc_r4_4_4_g8_is_in_volume((*hit).voxel) && voxc_r4_4_4_g8_seek(volume, bitcast<vec3<u32>>(origin),
-      bitcast<vec3<u32>>(direction), 0.0f, tmax, &ray, &walk);
+      bitcast<vec3<u32>>(direction), 0.0f, tmax, &ray, &traversal);
   *hit = voxc_r4_4_4_g8_miss();
   if (found) {
-    *hit = voxc_r4_4_4_g8_hit_of(volume, ray, walk);
+    *hit = voxc_r4_4_4_g8_hit_of(volume, ray, traversal);
   }
   return found;
 }
@@ -1449,7 +1462,7 @@ fn voxc_r4_4_4_g8_next(volume: u32, origin: vec3<f32>, direction: vec3<f32>, tma
 // Whether there is a voxel that the ray enters at a t in [tmin, tmax].
 fn voxc_r4_4_4_g8_any(volume: u32, origin: vec3<f32>, direction: vec3<f32>, tmin: f32, tmax: f32) -> bool {
   var ray: voxc_r4_4_4_g8_Ray;
-  var walk: voxc_r4_4_4_g8_Walk = voxc_r4_4_4_g8_walk_at(vec3<i32>(-1));
+  var traversal: voxc_r4_4_4_g8_Traversal = voxc_r4_4_4_g8_traversal_at(vec3<i32>(-1));
   return voxc_r4_4_4_g8_seek(volume, bitcast<vec3<u32>>(origin), bitcast<vec3<u32>>(direction), tmin, tmax, &ray,
-      &walk);
+      &traversal);
 }

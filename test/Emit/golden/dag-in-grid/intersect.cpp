@@ -12,8 +12,8 @@ namespace {
 
 VOXC_BEGIN_INLINE
 
-// One that does not settle leaves the rays which exact arithmetic has to look at to one that does.
-template <bool SETTLES> struct Kernel {
+// One without the exact fallback defers the rays that need exact arithmetic to one with it.
+template <bool EXACT_FALLBACK> struct Kernel {
   // The volume's words.
   const uint *words;
   // Six words of a ray, the bits of floats: origin, direction.
@@ -23,7 +23,7 @@ template <bool SETTLES> struct Kernel {
   // Count the lookups of each ray. A choice at run time: it costs next to nothing, and a second kernel twice the
   // compile time.
   bool COUNT_LOOKUPS;
-  // A walk is let go where fewer lanes than these are at work.
+  // A traversal is let go where fewer lanes than these are at work.
   uint FEWEST_LANES;
   // How wide a ray's cone grows for each voxel of its length, in kernels that stop at what looks smaller.
   float SPREAD;
@@ -44,32 +44,33 @@ template <bool SETTLES> struct Kernel {
   // Voxels along each axis.
   static inline const ivec3 VOLUME_SIZE = ivec3(4096, 4096, 4096);
 
-  // A ray, prepared for walking. Its members that are no integers are approximate; what must be exact is asked of the ray
-  // as given.
+  // A ray, prepared for the traversal. Its members that are no integers are approximate; what must be exact is asked of
+  // the ray as given.
   struct Ray {
-    uvec3 given_origin; // The bits of six float32 taken as exact numbers.
+    uvec3 given_origin;     // The bits of six float32 taken as exact numbers.
     uvec3 given_direction;
-    vec3 origin;        // Where the traversal counts from: the given origin, or where a ray from far away enters.
+    vec3 origin;            // Where the traversal counts from: the given origin, or where a ray from far away enters.
     // Scaled so that the longest component is in [1, 2). Where a coordinate never changes it is LEAST_COMPONENT: that
     // passes no face before another does. All t are those of this direction, from this origin.
     vec3 direction;
     vec3 inverse;
-    vec3 late;          // By how much each t comes late that is counted from there.
-    float slack;        // What is wrong of a t, beside a few roundings.
-    vec3 lowest;        // The least that is certain of the coordinates at the origin,
-    float doubt;        // and how much more any coordinate on the way may be, in voxels.
-    float certain;      // A coordinate that is at least this far below the next whole number is in its cell.
-    bvec3 moves;        // False on an axis whose coordinate never changes.
-    bvec3 falls;        // The coordinate falls.
-    bool is_moderate;   // No number as given but 0 is below 2^-40.
-    bool plain;         // As given, it has no numbers but 0 and those whose significand has all its bits.
-    ivec3 heading;      // -1 where the coordinate falls, else 1.
-    vec3 beyond;        // From a face that the ray passes to the cell behind it: -1 where the coordinate falls, else 0.
-    ivec3 ahead;        // No bits where the coordinate falls, else all: picks the face of a cube that lies ahead.
+    vec3 late;              // By how much each t comes late that is counted from there.
+    float t_error;          // Absolute error bound of t, apart from a few rounding errors.
+    vec3 origin_low;        // The least that is certain of the coordinates at the origin,
+    float coordinate_error; // and how much more any coordinate on the way may be, in voxels.
+    float cell_margin;      // A coordinate that is at least this far below the next whole number is in its cell.
+    bvec3 moves;            // False on an axis whose coordinate never changes.
+    bvec3 falls;            // The coordinate falls.
+    bool is_moderate;       // No number as given but 0 is below 2^-40.
+    bool plain;             // As given, it has no numbers but 0 and those whose significand has all its bits.
+    ivec3 heading;          // -1 where the coordinate falls, else 1.
+    // From a face that the ray passes to the cell behind it: -1 where the coordinate falls, else 0.
+    vec3 beyond;
+    ivec3 ahead;            // No bits where the coordinate falls, else all: picks the face of a cube that lies ahead.
   };
 
   // Empty cubes of 2^log2_side voxels a side: the one around a cell and, `count` a side, those that lie ahead of it.
-  struct Gap {
+  struct EmptySpan {
     int log2_side;
     int count;
   };
@@ -82,19 +83,20 @@ template <bool SETTLES> struct Kernel {
   };
 
   // Where a ray is: the first cell not yet proved empty. Each step moves it by at least one cell, and never back.
-  struct Walk {
-    ivec3 cell;     // In voxels; outside the volume before and after the walk.
-    int axis;       // The axis on which the ray entered the cell; -1 where it started.
-    uint voxel;     // Where the voxel that was hit is to be had, as the lowest level finds it.
+  struct Traversal {
+    ivec3 cell;       // In voxels; outside the volume before and after the traversal.
+    int axis;         // The axis on which the ray entered the cell; -1 where it started.
+    uint voxel;       // Where the voxel that was hit is to be had, as the lowest level finds it.
     uint lookups;
-    int steps_left; // There are no more cells on any ray; a walk with less than 0 is an error of the kernel's.
-    int open;       // A step over a gap around ~cell is left open: 32 times its count, and its log2_side. Else CLOSED.
+    int steps_left;   // There are no more cells on any ray; a traversal with less than 0 is an error of the kernel's.
+    // A step over an empty span around ~cell is pending: 32 times its count, and its log2_side. Else NO_PENDING_STEP.
+    int pending_step;
   };
 
-  static inline const int CLOSED = -1;
-  static inline const int AGAIN = -2; // The walk is to be gone on with, from its cell, by who settles.
+  static inline const int NO_PENDING_STEP = -1;
+  static inline const int RETRY = -2; // The traversal is to be gone on with, from its cell, by the exact fallback.
 
-  static inline const float NEVER = 1e30f; // A t that no ray of a usual length comes to.
+  static inline const float NEVER = 1e30f; // A t that no ray of an ordinary length comes to.
 
   // What is rounded on the way to a t, which is a difference, an inverse and a product. Where devices round to nearest,
   // eight roundings: the order of two t is certain beyond 7 roundings of the earlier, and a coordinate within 7 of how
@@ -102,41 +104,43 @@ template <bool SETTLES> struct Kernel {
   // the order of two t is certain beyond 11, and a coordinate within 9.5.
   static inline const float ROUNDINGS = 8.0f / 16777216.0f;
 
-  // A walk that is about to begin, or to go on.
-  Walk walk_at(ivec3 cell) {
+  // A traversal that is about to begin, or to go on.
+  Traversal traversal_at(ivec3 cell) {
     int most_steps = VOLUME_SIZE.x + VOLUME_SIZE.y + VOLUME_SIZE.z;
-    return Walk(cell, -1, 0u, 0u, most_steps, CLOSED);
+    return Traversal(cell, -1, 0u, 0u, most_steps, NO_PENDING_STEP);
   }
 
-  // Ends a walk that takes more steps than any can.
-  void count_step(Walk &walk) {
-    walk.steps_left--;
-    walk.cell.x |= walk.steps_left >> 31; // All bits: outside, whatever follows.
+  // Ends a traversal that takes more steps than any can.
+  void count_step(Traversal &traversal) {
+    traversal.steps_left--;
+    traversal.cell.x |= traversal.steps_left >> 31; // All bits: outside, whatever follows.
   }
 
-  void count_lookup(Walk &walk) {
+  void count_lookup(Traversal &traversal) {
     if (COUNT_LOOKUPS)
-      walk.lookups++;
+      traversal.lookups++;
   }
 
   bool is_in_volume(ivec3 cell) { return all(lessThan(uvec3(cell), uvec3(VOLUME_SIZE))); }
 
-  // Whether a walk has more to see here.
-  bool goes_on(const Walk &walk) { return is_in_volume(walk.cell) && lanes_at_work(walk.steps_left) >= FEWEST_LANES; }
+  // Whether a traversal has more to see here.
+  bool goes_on(const Traversal &traversal) {
+    return is_in_volume(traversal.cell) && lanes_at_work(traversal.steps_left) >= FEWEST_LANES;
+  }
 
   // The low corner of the aligned cube of 2^log2_side voxels a side around a cell.
   ivec3 corner_of(ivec3 cell, int log2_side) { return (cell >> log2_side) << log2_side; }
 
-  // The low corner of the cube of a gap around a cell.
-  ivec3 corner_of(const Ray &ray, ivec3 cell, const Gap &gap) {
-    return corner_of(cell, gap.log2_side) - (~ray.ahead & ((gap.count - 1) << gap.log2_side));
+  // The low corner of the cube of an empty span around a cell.
+  ivec3 corner_of(const Ray &ray, ivec3 cell, const EmptySpan &span) {
+    return corner_of(cell, span.log2_side) - (~ray.ahead & ((span.count - 1) << span.log2_side));
   }
 
-  // The faces of a gap around a cell that lie ahead.
-  ivec3 faces_ahead(const Ray &ray, ivec3 cell, const Gap &gap) {
-    int side = 1 << gap.log2_side;
-    // From the cube's low face to that of the gap, where the coordinate falls.
-    int back = side - (gap.count << gap.log2_side);
+  // The faces of an empty span around a cell that lie ahead.
+  ivec3 faces_ahead(const Ray &ray, ivec3 cell, const EmptySpan &span) {
+    int side = 1 << span.log2_side;
+    // From the cube's low face to that of the empty span, where the coordinate falls.
+    int back = side - (span.count << span.log2_side);
     return (cell & -side) + back + (ray.ahead & (side - back - back));
   }
 
@@ -333,14 +337,14 @@ template <bool SETTLES> struct Kernel {
   // A float32 number that a device might not keep is 0 here, and is not looked at.
   double exactly(uint bits) { return double(uintBitsToFloat(bits)); }
 
-  // -1 or 1 if coordinate a passes its face before coordinate b or after it; 0 if doubles cannot tell. Four roundings of
-  // 2^-53 are the most that they get wrong of the two products together.
+  // -1 or 1 if coordinate a passes its face before coordinate b or after it; 0 if doubles cannot decide. Four roundings
+  // of 2^-53 are the most that they get wrong of the two products together.
   int compare_by_doubles(const Ray &ray, int a, int face_a, int b, int face_b) {
     double of_a = (double(face_a) - exactly(ray.given_origin[a])) * exactly(ray.given_direction[b]);
     double of_b = (double(face_b) - exactly(ray.given_origin[b])) * exactly(ray.given_direction[a]);
     double difference = of_a - of_b;
-    double doubt = (abs(of_a) + abs(of_b)) * double(1.0f / 1125899906842624.0f); // 2^-50.
-    int order = difference > doubt ? 1 : difference < -doubt ? -1 : 0;
+    double bound = (abs(of_a) + abs(of_b)) * double(1.0f / 1125899906842624.0f); // 2^-50.
+    int order = difference > bound ? 1 : difference < -bound ? -1 : 0;
     order = ray.plain ? order : 0;
     return ray.falls[a] == ray.falls[b] ? order : -order;
   }
@@ -388,7 +392,7 @@ template <bool SETTLES> struct Kernel {
     return ray.falls[a] == ray.falls[b] ? order : -order;
   }
 
-  // The same, by doubles where they can tell.
+  // The same, by doubles where they can decide.
   int compare_crossings(const Ray &ray, int a, int face_a, int b, int face_b) {
     int order = compare_by_doubles(ray, a, face_a, b, face_b);
     if (order == 0 && meet_by_doubles(ray, a, face_a, b, face_b))
@@ -415,7 +419,7 @@ template <bool SETTLES> struct Kernel {
   }
 
   // Narrows a range down, on each axis, to the cell that the ray is in once a crossing has happened.
-  OUT_OF_LINE ivec3 settle(const Ray &ray, const Crossing &crossing, const Range &candidates) {
+  OUT_OF_LINE ivec3 resolve_cell(const Ray &ray, const Crossing &crossing, const Range &candidates) {
     Range range = candidates;
     while (range.least != range.most) {
       int axis = undecided_axis(range);
@@ -427,21 +431,21 @@ template <bool SETTLES> struct Kernel {
 
   // What can be told, without integers, of the cell, within a range, that the ray is in once a crossing has happened.
   Range approximate_cell(const Ray &ray, const Crossing &crossing, const Range &range) {
-    vec3 point = ray.lowest + crossing.t * ray.direction;
-    vec3 doubt = mix(vec3(0.0f), vec3(ray.doubt), ray.moves);
+    vec3 point = ray.origin_low + crossing.t * ray.direction;
+    vec3 bound = mix(vec3(0.0f), vec3(ray.coordinate_error), ray.moves);
     vec3 least = vec3(range.least);
     vec3 most = vec3(range.most);
-    return Range(ivec3(clamp(floor(point), least, most)), ivec3(clamp(floor(point + doubt), least, most)));
+    return Range(ivec3(clamp(floor(point), least, most)), ivec3(clamp(floor(point + bound), least, most)));
   }
 
-  // A step that float32 cannot tell, by sums of two float32 from the ray as given (pairs.glsl): where the ray passes
+  // A step that float32 cannot decide, by sums of two float32 from the ray as given (pairs.glsl): where the ray passes
   // faces one after the other, and where it passes several at one t, as rays of whole numbers do at nearly each step.
   // No number of a moderate ray but 0 is below 2^-40, so that each is a multiple of 2^-63, and each product of two a
   // multiple of 2^-126: what float32 loses of a sum or a product is a float32. A t is wrong by less than 2^-44 of it: a
   // quotient by the inverse is within 2^-23, what is left of the way then is rounded twice, and multiplied by the inverse
-  // again. A coordinate is wrong by less than 2^-43 of the two numbers that it is the sum of. What is closer than DOUBT
-  // meets exactly, or is not told.
-  static inline const float DOUBT = 1.0f / 4398046511104.0f; // 2^-42.
+  // again. A coordinate is wrong by less than 2^-43 of the two numbers that it is the sum of. What is closer than
+  // ERROR_BOUND meets exactly, or is undecided.
+  static inline const float ERROR_BOUND = 1.0f / 4398046511104.0f; // 2^-42.
 
   // How much later one moment is than another.
   float delay(const Pair &later, const Pair &earlier) { return (later.high - earlier.high) + (later.low - earlier.low); }
@@ -474,9 +478,9 @@ template <bool SETTLES> struct Kernel {
     return is_same && (is_whole || (a.way.low == b.way.low && a.speed == b.speed));
   }
 
-  // Whether a coordinate passes its face when the first one does. Not sure if only integers can tell.
+  // Whether a coordinate passes its face when the first one does. Not sure if only integers can decide.
   bool is_passed(const Pass &first, const Pass &other, bool &sure) {
-    bool is_close = abs(delay(other.t, first.t)) <= first.t.high * DOUBT;
+    bool is_close = abs(delay(other.t, first.t)) <= first.t.high * ERROR_BOUND;
     bool meets = meet(first, other);
     sure = sure && (meets || !is_close);
     return meets && is_close;
@@ -491,17 +495,17 @@ template <bool SETTLES> struct Kernel {
     Pair place = exact_sum(sum.high, sum.low + rest); // What is left of two large numbers may be less than their rest.
     float whole = floor(place.high + 0.5f);
     float above = (place.high - whole) + place.low;
-    bool is_close = speed != 0.0f && abs(above) <= (abs(origin) + abs(way)) * DOUBT;
+    bool is_close = speed != 0.0f && abs(above) <= (abs(origin) + abs(way)) * ERROR_BOUND;
     bool meets = meet(first, Pass(first.t, exact_sum(whole, -origin), speed));
     sure = sure && (meets || !is_close || side == 1);
     bool is_below = is_close ? speed < 0.0f && !rises : above < 0.0f; // It falls through that face with the others.
     return int(clamp(whole - (is_below ? 1.0f : 0.0f), float(corner), float(corner + side - 1)));
   }
 
-  // Steps over the gap around the walk's cell. False, and no step, if this cannot tell either.
-  bool step_compensated(const Ray &ray, Walk &walk, const Gap &gap) {
-    int side = gap.count << gap.log2_side;
-    ivec3 corner = corner_of(ray, walk.cell, gap);
+  // Steps over the empty span around the traversal's cell. False, and no step, if this cannot decide either.
+  bool step_compensated(const Ray &ray, Traversal &traversal, const EmptySpan &span) {
+    int side = span.count << span.log2_side;
+    ivec3 corner = corner_of(ray, traversal.cell, span);
     vec3 face = vec3(corner + (ray.ahead & side));
     vec3 origin = uintBitsToFloat(ray.given_origin);
     vec3 speed = mix(vec3(0.0f), ray.direction, ray.moves);
@@ -522,8 +526,8 @@ template <bool SETTLES> struct Kernel {
     ivec3 cell = ivec3(cell_at(first, rises, origin.x, speed.x, corner.x, side, sure), cell_at(first, rises, origin.y,
         speed.y, corner.y, side, sure), cell_at(first, rises, origin.z, speed.z, corner.z, side, sure));
     cell = mix(cell, mix(corner, corner + (side - 1), ray.falls), changes);
-    walk.cell = sure ? cell : walk.cell;
-    walk.axis = sure ? (changes.x ? 0 : changes.y ? 1 : 2) : walk.axis;
+    traversal.cell = sure ? cell : traversal.cell;
+    traversal.axis = sure ? (changes.x ? 0 : changes.y ? 1 : 2) : traversal.axis;
     return sure;
   }
 
@@ -535,8 +539,8 @@ template <bool SETTLES> struct Kernel {
   }
 
   // Finds the cell in which an ordinary ray enters the volume: that of its origin, or through the last of the faces that
-  // it must pass. A cell outside if there is none. Not sure if this cannot tell either.
-  Walk entered_compensated(const Ray &ray, Walk walk, bool &sure) {
+  // it must pass. A cell outside if there is none. Not sure if this cannot decide either.
+  Traversal entered_compensated(const Ray &ray, Traversal traversal, bool &sure) {
     const float BEFORE = -1.0f; // All t of faces that the ray comes to.
     vec3 origin = uintBitsToFloat(ray.given_origin);
     vec3 speed = mix(vec3(0.0f), ray.direction, ray.moves);
@@ -561,43 +565,44 @@ template <bool SETTLES> struct Kernel {
     bool rises = (falling.x | falling.y | falling.z) == 0; // The last of them fall.
     ivec3 cell = cell_after(last, rises, origin, speed, sure);
     cell = mix(cell, mix(ivec3(0), VOLUME_SIZE - 1, ray.falls), passed);
-    walk.cell = begins_here ? ivec3(floor(origin)) : misses ? ivec3(-1) : cell;
+    traversal.cell = begins_here ? ivec3(floor(origin)) : misses ? ivec3(-1) : cell;
     sure = sure || begins_here || misses;
     ivec3 entry = rises ? ivec3(passed) : falling;
-    walk.axis = begins_here ? -1 : entry.x != 0 ? 0 : entry.y != 0 ? 1 : 2;
-    return walk;
+    traversal.axis = begins_here ? -1 : entry.x != 0 ? 0 : entry.y != 0 ? 1 : 2;
+    return traversal;
   }
 
-  // Steps that are exact for every ray: by float32 or doubles where these can tell, by integers elsewhere.
+  // Steps that are exact for every ray: by float32 or doubles where these can decide, by integers elsewhere.
 
-  // How the ray leaves cells through the first of the faces ahead. Not sure if its t cannot tell which that is.
+  // How the ray leaves cells through the first of the faces ahead. Not sure if its t cannot decide which that is.
   Exit leave(const Ray &ray, vec3 face) {
     vec3 t = times_of(ray, face);
     float first = least_of(t);
     float second = second_least_of(t); // Of negative ones, none that is sure.
-    return Exit(first, equal(t, vec3(first)), second > first + (first * ROUNDINGS + ray.slack));
+    return Exit(first, equal(t, vec3(first)), second > first + (first * ROUNDINGS + ray.t_error));
   }
 
   // The cell that a ray comes to where it leaves others, of which `cell` is one, by one of the faces ahead. Not sure if
-  // its point cannot tell on which side of another face that is.
+  // its point cannot decide on which side of another face that is.
   ivec3 cell_beyond(const Ray &ray, vec3 face, Exit &leaving) {
-    vec3 point = mix(ray.lowest + leaving.t * ray.direction, face + ray.beyond, leaving.passed);
+    vec3 point = mix(ray.origin_low + leaving.t * ray.direction, face + ray.beyond, leaving.passed);
     vec3 whole = floor(point);
-    bool is_certain = greatest_of(point - whole) < ray.certain;
+    bool is_certain = greatest_of(point - whole) < ray.cell_margin;
     leaving.sure = leaving.sure && is_certain;
     return ivec3(whole);
   }
 
-  // Settles the step over the gap around the walk's cell: which faces the ray passes first, of those that float32 cannot
-  // tell apart, and then by bisection to which cell it comes. All questions are asked at one place, since devices of wide
-  // vectors run through it as often as any ray needs it. Where the device cuts it short, the walk stays where it is.
-  OUT_OF_LINE Walk settled(const Ray &ray, Walk walk, const Gap &gap) {
-    int side = gap.count << gap.log2_side;
-    ivec3 corner = corner_of(ray, walk.cell, gap);
+  // Resolves the step over the empty span around the traversal's cell: which faces the ray passes first, of those that
+  // float32 cannot decide apart, and then by bisection to which cell it comes. All questions are asked at one place,
+  // since devices of wide vectors run through it as often as any ray needs it. Where the device cuts it short, the
+  // traversal stays where it is.
+  OUT_OF_LINE Traversal exact_step(const Ray &ray, Traversal traversal, const EmptySpan &span) {
+    int side = span.count << span.log2_side;
+    ivec3 corner = corner_of(ray, traversal.cell, span);
     ivec3 face = corner + (ray.ahead & side);
     vec3 t = times_of(ray, vec3(face));
     float earliest = min(min(t.x, t.y), t.z);
-    bvec3 may_be_first = lessThanEqual(t, vec3(earliest + (earliest * ROUNDINGS + ray.slack)));
+    bvec3 may_be_first = lessThanEqual(t, vec3(earliest + (earliest * ROUNDINGS + ray.t_error)));
     ivec3 bits = ivec3(may_be_first) * ivec3(ray.moves);
     int axes = bits.x | bits.y << 1 | bits.z << 2;
     int first = findLSB(uint(axes));
@@ -631,56 +636,60 @@ template <bool SETTLES> struct Kernel {
       }
     }
     if (range.least == range.most) {
-      walk.cell = range.least;
-      walk.axis = crossing.axis;
+      traversal.cell = range.least;
+      traversal.axis = crossing.axis;
     }
-    return walk;
+    return traversal;
   }
 
-  // Settles the step of a walk that was left open.
-  void settle_step(const Ray &ray, Walk &walk) {
-    Gap gap = Gap(walk.open & 31, walk.open >> 5);
-    walk.open = CLOSED;
-    walk.cell = ~walk.cell;
-    walk = settled(ray, walk, gap);
+  // Resolves the step of a traversal that is pending.
+  void resolve_step(const Ray &ray, Traversal &traversal) {
+    EmptySpan span = EmptySpan(traversal.pending_step & 31, traversal.pending_step >> 5);
+    traversal.pending_step = NO_PENDING_STEP;
+    traversal.cell = ~traversal.cell;
+    traversal = exact_step(ray, traversal, span);
   }
 
   // Steps from one cell of the ray to the next.
 
-  // Ends a step over the gap around the walk's cell, or over that and more, which leads to another cell if that is sure.
-  void end_step(const Ray &ray, Walk &walk, const Exit &leaving, ivec3 cell, const Gap &gap) {
-    walk.axis = leaving.passed.z ? 2 : leaving.passed.y ? 1 : 0;
+  // Ends a step over the empty span around the traversal's cell, or over that and more, which leads to another cell if
+  // that is sure.
+  void end_step(const Ray &ray, Traversal &traversal, const Exit &leaving, ivec3 cell, const EmptySpan &span) {
+    traversal.axis = leaving.passed.z ? 2 : leaving.passed.y ? 1 : 0;
     bool sure = leaving.sure;
-    walk.cell = sure ? cell : walk.cell;
+    traversal.cell = sure ? cell : traversal.cell;
     if (!sure)
-      sure = step_compensated(ray, walk, gap);
-    cell = walk.cell;
-    // A step that is not sure is left open, and all loops end: what settles it stands outside of them, where lanes
+      sure = step_compensated(ray, traversal, span);
+    cell = traversal.cell;
+    // A step that is not sure is left pending, and all loops end: what resolves it stands outside of them, where lanes
     // that are sure need not wait for it.
-    walk.cell = sure ? cell : ~walk.cell; // The next turn may read what is there before it is known if the step is sure.
-    walk.open = sure ? CLOSED : gap.count << 5 | gap.log2_side;
-    count_step(walk);
+    // The next turn may read what is there before it is known if the step is sure.
+    traversal.cell = sure ? cell : ~traversal.cell;
+    traversal.pending_step = sure ? NO_PENDING_STEP : span.count << 5 | span.log2_side;
+    count_step(traversal);
   }
 
-  // Steps over the gap around the walk's cell, of which these faces lie ahead.
-  void step_over(const Ray &ray, Walk &walk, const Gap &gap, vec3 face) {
+  // Steps over the empty span around the traversal's cell, of which these faces lie ahead.
+  void step_over(const Ray &ray, Traversal &traversal, const EmptySpan &span, vec3 face) {
     Exit leaving = leave(ray, face);
     ivec3 cell = cell_beyond(ray, face, leaving);
-    end_step(ray, walk, leaving, cell, gap);
+    end_step(ray, traversal, leaving, cell, span);
   }
 
-  // Steps over the gap around the walk's cell.
-  void step_over(const Ray &ray, Walk &walk, const Gap &gap) {
-    step_over(ray, walk, gap, vec3(faces_ahead(ray, walk.cell, gap)));
+  // Steps over the empty span around the traversal's cell.
+  void step_over(const Ray &ray, Traversal &traversal, const EmptySpan &span) {
+    step_over(ray, traversal, span, vec3(faces_ahead(ray, traversal.cell, span)));
   }
 
-  // Steps over the empty cube of 2^log2_side voxels a side around the walk's cell.
-  void step_over(const Ray &ray, Walk &walk, int log2_side) { step_over(ray, walk, Gap(log2_side, 1)); }
+  // Steps over the empty cube of 2^log2_side voxels a side around the traversal's cell.
+  void step_over(const Ray &ray, Traversal &traversal, int log2_side) {
+    step_over(ray, traversal, EmptySpan(log2_side, 1));
+  }
 
-  // Steps from the walk's voxel, which is empty, to the next.
-  void step_over_voxel(const Ray &ray, Walk &walk) {
-    Exit leaving = leave(ray, vec3(walk.cell - ray.ahead));
-    end_step(ray, walk, leaving, walk.cell + mix(ivec3(0), ray.heading, leaving.passed), Gap(0, 1));
+  // Steps from the traversal's voxel, which is empty, to the next.
+  void step_over_voxel(const Ray &ray, Traversal &traversal) {
+    Exit leaving = leave(ray, vec3(traversal.cell - ray.ahead));
+    end_step(ray, traversal, leaving, traversal.cell + mix(ivec3(0), ray.heading, leaving.passed), EmptySpan(0, 1));
   }
 
   // Rays that begin far away, whose numbers would be too wrong to tell anything of a volume: they are moved along
@@ -702,9 +711,9 @@ template <bool SETTLES> struct Kernel {
 
   // What is known of a ray that may have been moved.
   struct Start {
-    bool is_far; // It still begins far away, and float32 tells nothing of it.
-    float wrong; // What may be wrong of its coordinates, beside a few roundings,
-    float slack; // and of a t.
+    bool is_far;   // It still begins far away, and float32 tells nothing of it.
+    float wrong;   // What may be wrong of its coordinates, beside a few roundings,
+    float t_error; // and of a t.
   };
 
   bool is_far(vec3 coordinate, bvec3 moves) {
@@ -728,7 +737,7 @@ template <bool SETTLES> struct Kernel {
     const uint UPPER = 0xfffff000u; // The bits of a float32 but the lowest 12 of its significand.
     const int MOST_MOVES = 3;
     // No ordinary ray is, if none comes near.
-    Start start = Start((COMES_NEAR || SETTLES) && is_far(ray.origin, ray.moves), 0.0f, 0.0f);
+    Start start = Start((COMES_NEAR || EXACT_FALLBACK) && is_far(ray.origin, ray.moves), 0.0f, 0.0f);
     if (!COMES_NEAR || !start.is_far)
       return start;
     vec3 direction = mix(vec3(0.0f), ray.direction, ray.moves);
@@ -755,28 +764,28 @@ template <bool SETTLES> struct Kernel {
     // A t is rounded once more by what comes late, and none in the volume is above that of its last entry and the longest
     // side, which is half of what is far.
     steep = mix(vec3(0.0f), steep, ray.moves);
-    start.slack = 2.0f * start.wrong * max(max(steep.x, steep.y),
+    start.t_error = 2.0f * start.wrong * max(max(steep.x, steep.y),
         steep.z) + (latest + 0.5f * far_away()) * ROUNDINGS / 4.0f;
     start.wrong += far_away() / 4194304.0f; // What is behind, and that rounding.
     return start;
   }
 
-  // Where a walk begins: in the cell of the ray's origin, or in the first cell of the volume that the ray comes to.
+  // Where a traversal begins: in the cell of the ray's origin, or in the first cell of the volume that the ray comes to.
 
   static inline const float CLOSE = 1.0f / 2048.0f; // In voxels.
 
-  // Bounds what float32 gets wrong in a walk through the volume, where the origin itself is wrong by `of_origin`, and a t
-  // by `slack`. A coordinate that never changes stays in its cell.
-  void bound_errors(Ray &ray, vec3 cell, float of_origin, float slack) {
+  // Bounds what float32 gets wrong in a traversal through the volume, where the origin itself is wrong by `of_origin`,
+  // and a t by `t_error`. A coordinate that never changes stays in its cell.
+  void bound_errors(Ray &ray, vec3 cell, float of_origin, float t_error) {
     vec3 half_size = 0.5f * vec3(VOLUME_SIZE);
     vec3 reach = abs(ray.origin - half_size) + half_size; // To the farther of the volume's two faces.
     float error = greatest_of(reach) * ROUNDINGS + of_origin;
-    if (COMES_NEAR || SETTLES)
-      error = min(error + 2.0f * slack, NEVER);
-    ray.slack = slack;
-    ray.lowest = mix(cell + 0.25f, ray.origin - error, ray.moves);
-    ray.doubt = 2.0f * error;
-    ray.certain = 1.0f - ray.doubt;
+    if (COMES_NEAR || EXACT_FALLBACK)
+      error = min(error + 2.0f * t_error, NEVER);
+    ray.t_error = t_error;
+    ray.origin_low = mix(cell + 0.25f, ray.origin - error, ray.moves);
+    ray.coordinate_error = 2.0f * error;
+    ray.cell_margin = 1.0f - ray.coordinate_error;
   }
 
   // True where the ray moves from a coordinate so close to 0 that it may pass that face before float32 says so, as scaled
@@ -829,9 +838,9 @@ template <bool SETTLES> struct Kernel {
     bound_errors(ray, vec3(cell), error, 2.0f * error * max(max(steep.x, steep.y), steep.z));
   }
 
-  // Puts a walk into the cell that the ray comes to where it passes a face, in exact arithmetic. `cell` tells the
+  // Puts a traversal into the cell that the ray comes to where it passes a face, in exact arithmetic. `cell` tells the
   // coordinates that never change.
-  Walk behind_face(const Ray &ray, Walk walk, ivec3 cell, int axis, int face) {
+  Traversal behind_face(const Ray &ray, Traversal traversal, ivec3 cell, int axis, int face) {
     Crossing crossing;
     crossing.t = (float(face) - ray.origin[axis]) * ray.inverse[axis] - ray.late[axis];
     crossing.axis = axis;
@@ -840,35 +849,35 @@ template <bool SETTLES> struct Kernel {
     Range range = Range(mix(cell, ivec3(-1), ray.moves), mix(cell, VOLUME_SIZE, ray.moves));
     range.most[axis] = face - (ray.falls[axis] ? 1 : 0);
     range.least[axis] = range.most[axis];
-    walk.cell = settle(ray, crossing, approximate_cell(ray, crossing, range));
-    walk.axis = axis;
-    return walk;
+    traversal.cell = resolve_cell(ray, crossing, approximate_cell(ray, crossing, range));
+    traversal.axis = axis;
+    return traversal;
   }
 
   // Finds the cell in which the ray enters the volume, in exact arithmetic: that of its origin, or through the last of
   // the faces that it must pass. A cell outside if there is none.
-  OUT_OF_LINE Walk entered_exactly(Ray &ray, Walk walk, bool starts_far) {
+  OUT_OF_LINE Traversal entered_exactly(Ray &ray, Traversal traversal, bool starts_far) {
     ivec3 cell = floor_of(ray.given_origin);
     ivec3 below = ivec3(lessThan(cell, ivec3(0)));
     ivec3 above = ivec3(greaterThanEqual(cell, VOLUME_SIZE));
     ivec3 enters = below * (ivec3(ray.moves) - ivec3(ray.falls)) + above * ivec3(ray.falls);
-    walk.cell = cell;
+    traversal.cell = cell;
     if (enters == ivec3(0) || enters != below + above)
-      return walk;
+      return traversal;
     ivec3 face = mix(ivec3(0), VOLUME_SIZE, ray.falls);
     int axis = last_entered(ray, greaterThan(enters, ivec3(0)), face);
     if (starts_far)
       start_at(ray, cell, axis, face[axis]);
-    return behind_face(ray, walk, cell, axis, face[axis]);
+    return behind_face(ray, traversal, cell, axis, face[axis]);
   }
 
   // The same by float32 or doubles, of an ordinary ray: it passes the last of these faces, or is past all of them. Not
-  // sure if that cannot tell which face is the last, or which cell is behind it.
-  Walk entered(const Ray &ray, Walk walk, vec3 face, bool &sure) {
+  // sure if that cannot decide which face is the last, or which cell is behind it.
+  Traversal entered(const Ray &ray, Traversal traversal, vec3 face, bool &sure) {
     // 2^48: a ray of a voxel a moment is past the volume by then, whatever enters last.
     const float LATEST = 281474976710656.0f;
     vec3 t = mix(vec3(-1.0f), times_of(ray, face), ray.moves); // A coordinate that never changes stays outside.
-    bool is_as_given = ray.slack == 0.0f; // Else it has come near, and does not begin here.
+    bool is_as_given = ray.t_error == 0.0f; // Else it has come near, and does not begin here.
     // From a last face, which is not in the volume, a ray enters at 0; its t is a 0 with a sign.
     vec3 last_face = mix(vec3(NEVER), face, ray.falls);
     bvec3 on_face = equal(ray.origin, is_as_given ? last_face : vec3(NEVER));
@@ -877,16 +886,16 @@ template <bool SETTLES> struct Kernel {
     float before = second_least_of(t);
     bvec3 passed = equal(t, vec3(latest));
     bool begins_here = !(latest > 0.0f) && is_as_given && !any(on_face);
-    vec3 point = mix(ray.lowest + latest * ray.direction, face + ray.beyond, passed);
+    vec3 point = mix(ray.origin_low + latest * ray.direction, face + ray.beyond, passed);
     point = begins_here ? ray.origin : point;
     vec3 whole = floor(point);
-    bool is_last = before < latest - (latest * ROUNDINGS + ray.slack);
-    bool is_certain = greatest_of(point - whole) < ray.certain;
+    bool is_last = before < latest - (latest * ROUNDINGS + ray.t_error);
+    bool is_certain = greatest_of(point - whole) < ray.cell_margin;
     bool is_sure = begins_here || (is_last && is_certain);
     sure = sure && is_sure;
-    walk.cell = ivec3(clamp(whole, -1.0f, 4194304.0f));
-    walk.axis = begins_here ? -1 : passed.x ? 0 : passed.y ? 1 : 2;
-    return walk;
+    traversal.cell = ivec3(clamp(whole, -1.0f, 4194304.0f));
+    traversal.axis = begins_here ? -1 : passed.x ? 0 : passed.y ? 1 : 2;
+    return traversal;
   }
 
   // True if a coordinate is past the volume, and goes on.
@@ -896,42 +905,42 @@ template <bool SETTLES> struct Kernel {
     return mix(above, below, ray.falls) != ivec3(0);
   }
 
-  // Puts the walk into the first cell of the volume on the ray; false if there is none, or if the ray is left.
-  bool enter_volume(Ray &ray, Walk &walk, bool ordinary) {
+  // Puts the traversal into the first cell of the volume on the ray; false if there is none, or if the ray is left.
+  bool enter_volume(Ray &ray, Traversal &traversal, bool ordinary) {
     if (COMES_NEAR && ordinary && leaves_volume(ray))
       return false;
     vec3 face = mix(vec3(0.0f), vec3(VOLUME_SIZE), ray.falls);
     vec3 cell = floor(ray.origin);
     Start near = come_near(ray, face);
-    if (SETTLES && !ordinary && any(starts_tiny(ray)))
-      near.slack = NEVER;
-    bound_errors(ray, cell, near.wrong, near.slack);
-    bool has_begun = is_in_volume(walk.cell) || walk.open >= 0;
-    if (SETTLES && has_begun && !near.is_far)
+    if (EXACT_FALLBACK && !ordinary && any(starts_tiny(ray)))
+      near.t_error = NEVER;
+    bound_errors(ray, cell, near.wrong, near.t_error);
+    bool has_begun = is_in_volume(traversal.cell) || traversal.pending_step >= 0;
+    if (EXACT_FALLBACK && has_begun && !near.is_far)
       return true; // Where it has entered need not be found again.
     bool sure = ordinary && !near.is_far;
-    Walk start = entered(ray, walk, face, sure);
-    if (!SETTLES && !sure && ordinary && !near.is_far)
-      start = entered_compensated(ray, walk, sure);
-    if (SETTLES && !sure) {
+    Traversal start = entered(ray, traversal, face, sure);
+    if (!EXACT_FALLBACK && !sure && ordinary && !near.is_far)
+      start = entered_compensated(ray, traversal, sure);
+    if (EXACT_FALLBACK && !sure) {
       Ray moved = ray; // What a function may change by reference stands in memory; the ray itself need not.
-      start = entered_exactly(moved, walk, near.is_far);
+      start = entered_exactly(moved, traversal, near.is_far);
       ray = moved;
     }
-    if (!SETTLES && !sure) {
-      start = walk;
+    if (!EXACT_FALLBACK && !sure) {
+      start = traversal;
       start.cell = ivec3(-1);
-      start.open = AGAIN;
+      start.pending_step = RETRY;
     }
-    walk = start;
-    return is_in_volume(walk.cell);
+    traversal = start;
+    return is_in_volume(traversal.cell);
   }
 
-  // A ray as given, made ready for walking.
+  // A ray as given, made ready for the traversal.
 
   static inline const float LEAST_COMPONENT = 1.0f / 1099511627776.0f / 1099511627776.0f; // 2^-80.
 
-  // Most rays are ordinary: float32 walks with them as they are, and nothing overflows or is lost on the way. Their
+  // Most rays are ordinary: float32 traverses with them as they are, and nothing overflows or is lost on the way. Their
   // direction is scaled without a rounding, all numbers of theirs are then 0 or at least 2^-80, and they begin within
   // 2^45 voxels, or near the volume if rays from far away are not moved. `longest` has the bits of the direction's
   // longest component, and `component` is the direction once it is scaled.
@@ -986,7 +995,7 @@ template <bool SETTLES> struct Kernel {
     ordinary = is_ordinary(origin, longest, component);
     ray.plain = ordinary;
     ray.is_moderate = ordinary && are_moderate(ray.moves, origin, component);
-    if (SETTLES && !ordinary) {
+    if (EXACT_FALLBACK && !ordinary) {
       ray.plain = are_plain(origin) && are_plain(direction);
       component = mix(vec3(1.0f), vec3(-1.0f), greaterThan(direction, uvec3(SIGN_BIT))) * scaled_exactly(size);
       component = mix(vec3(LEAST_COMPONENT), component, ray.moves);
@@ -1003,37 +1012,37 @@ template <bool SETTLES> struct Kernel {
     return ray;
   }
 
-  // From a ray to its walk, and the end of the walk.
+  // From a ray to its traversal, and the end of the traversal.
 
   // A ray that goes nowhere can hit its own cell alone: it is let go anywhere, and takes no later hit.
   bool goes_nowhere(uvec3 direction) { return ((direction.x | direction.y | direction.z) & ~SIGN_BIT) == 0u; }
 
-  // Makes a ray ready, and its walk too, if that has not begun. False if there is nothing to walk through, or if the ray
-  // is left.
-  bool begin_walk(uvec3 origin, uvec3 direction, uint root, Ray &ray, Walk &walk) {
-    bool stays = SETTLES && goes_nowhere(direction);
+  // Makes a ray ready, and its traversal too, if that has not begun. False if there is nothing to go through, or if the
+  // ray is left.
+  bool begin_traversal(uvec3 origin, uvec3 direction, uint root, Ray &ray, Traversal &traversal) {
+    bool stays = EXACT_FALLBACK && goes_nowhere(direction);
     bool ordinary;
     ray = prepare_ray(origin, stays ? uvec3(floatBitsToUint(1.0f), 0u, 0u) : direction, ordinary);
     if (root == 0u)
       return false;
-    if (SETTLES && !(are_finite(origin) && are_finite(direction)))
+    if (EXACT_FALLBACK && !(are_finite(origin) && are_finite(direction)))
       return false;
-    Walk start = walk;
+    Traversal start = traversal;
     bool enters = enter_volume(ray, start, ordinary);
-    bool may_have_begun = true; // A dispatch that does not settle begins all its rays.
-    bool has_begun = may_have_begun && (is_in_volume(walk.cell) || walk.open != CLOSED);
+    bool may_have_begun = true; // A dispatch without the exact fallback begins all its rays.
+    bool has_begun = may_have_begun && (is_in_volume(traversal.cell) || traversal.pending_step != NO_PENDING_STEP);
     if (!enters || !has_begun)
-      walk = start;
+      traversal = start;
     return enters;
   }
 
-  // What becomes of a hit: a ray that goes nowhere loses what is not in its own cell, once its walk has begun.
-  bool end_walk(uvec3 origin, uvec3 direction, Walk &walk, bool hit) {
+  // What becomes of a hit: a ray that goes nowhere loses what is not in its own cell, once its traversal has begun.
+  bool end_traversal(uvec3 origin, uvec3 direction, Traversal &traversal, bool hit) {
     bool may_stay = true; // Packets go on with rays that exact arithmetic has prepared.
-    if (!may_stay || !goes_nowhere(direction) || walk.open == AGAIN || walk.cell == floor_of(origin))
+    if (!may_stay || !goes_nowhere(direction) || traversal.pending_step == RETRY || traversal.cell == floor_of(origin))
       return hit;
-    walk.cell = ivec3(-1);
-    walk.open = CLOSED;
+    traversal.cell = ivec3(-1);
+    traversal.pending_step = NO_PENDING_STEP;
     return false;
   }
 
@@ -1164,9 +1173,9 @@ template <bool SETTLES> struct Kernel {
   // The same, by doubles. Not sure where what they get wrong could be rounded to another float32.
   uint time_by_doubles(const Ray &ray, int axis, int face, bool &sure) {
     double t = abs((double(face) - exactly(ray.given_origin[axis])) / exactly(ray.given_direction[axis]));
-    double doubt = t * double(1.0f / 562949953421312.0f); // Six roundings are 2^-50, and this is 2^-49.
-    float least = float(t - doubt);
-    float most = float(t + doubt);
+    double bound = t * double(1.0f / 562949953421312.0f); // Six roundings are 2^-50, and this is 2^-49.
+    float least = float(t - bound);
+    float most = float(t + bound);
     // By a power of two, as along an axis or a diagonal, nothing is rounded but the result.
     float origin = uintBitsToFloat(ray.given_origin[axis]);
     bool exact = (ray.given_direction[axis] & 0x7fffffu) == 0u && (abs(origin) > 1e-6f || origin == 0.0f);
@@ -1176,12 +1185,12 @@ template <bool SETTLES> struct Kernel {
   }
 
   // The same, as fast as it can be told. Where a device promises little of its arithmetic, integers tell it of every hit:
-  // a dispatch that does not settle would leave each of them to one that does.
+  // a dispatch that does not resolve would defer each of them to one with it.
   uint crossing_time(const Ray &ray, int axis, int face, bool &sure) {
     sure = false;
     uint bits = 0u;
     bits = time_by_doubles(ray, axis, face, sure);
-    if (SETTLES && !sure) {
+    if (EXACT_FALLBACK && !sure) {
       bits = time_exactly(ray, axis, face);
       sure = true;
     }
@@ -1189,7 +1198,9 @@ template <bool SETTLES> struct Kernel {
   }
 
   // The face through which the ray entered its cell.
-  int entered_face(const Ray &ray, const Walk &walk) { return walk.cell[walk.axis] + (ray.falls[walk.axis] ? 1 : 0); }
+  int entered_face(const Ray &ray, const Traversal &traversal) {
+    return traversal.cell[traversal.axis] + (ray.falls[traversal.axis] ? 1 : 0);
+  }
 
   // How a ray comes to the voxel that it hits.
   struct Arrival {
@@ -1201,41 +1212,41 @@ template <bool SETTLES> struct Kernel {
     return ray.moves[a] && ray.falls[a] == ray.falls[b] && compare_crossings(ray, a, face[a], b, face[b]) == 0;
   }
 
-  // The first axis on which the ray comes into the walk's cell as it enters that. Not sure if steps cannot tell. Without
-  // exactness, of several, at an edge, the one that the walk has met.
-  int first_axis(const Ray &ray, const Walk &walk, bool &sure) {
+  // The first axis on which the ray comes into the traversal's cell as it enters that. Not sure if steps cannot decide.
+  // Without exactness, of several, at an edge, the one that the traversal has met.
+  int first_axis(const Ray &ray, const Traversal &traversal, bool &sure) {
     sure = true;
-    int first = walk.axis;
-    ivec3 face = walk.cell + ivec3(ray.falls);
+    int first = traversal.axis;
+    ivec3 face = traversal.cell + ivec3(ray.falls);
     vec3 t = times_of(ray, vec3(face));
     for (int axis = 0; axis < 2; axis++) {
-      float apart = abs(t[axis] - t[walk.axis]);
-      float doubt = min(abs(t[axis]), abs(t[walk.axis])) * ROUNDINGS + ray.slack;
-      if (axis < first && ray.moves[axis] && ray.falls[axis] == ray.falls[walk.axis] && !(apart > doubt))
+      float apart = abs(t[axis] - t[traversal.axis]);
+      float bound = min(abs(t[axis]), abs(t[traversal.axis])) * ROUNDINGS + ray.t_error;
+      if (axis < first && ray.moves[axis] && ray.falls[axis] == ray.falls[traversal.axis] && !(apart > bound))
         sure = false;
     }
-    if (SETTLES && !sure) {
+    if (EXACT_FALLBACK && !sure) {
       sure = true;
       for (int axis = 1; axis >= 0; axis--)
-        first = axis < walk.axis && enters_together(ray, face, axis, walk.axis) ? axis : first;
+        first = axis < traversal.axis && enters_together(ray, face, axis, traversal.axis) ? axis : first;
     }
     return first;
   }
 
-  // How the ray came to the walk's cell. Not sure where float32 or doubles cannot tell.
-  Arrival arrival_at(const Ray &ray, const Walk &walk, bool hit, bool &sure) {
+  // How the ray came to the traversal's cell. Not sure where float32 or doubles cannot decide.
+  Arrival arrival_at(const Ray &ray, const Traversal &traversal, bool hit, bool &sure) {
     Arrival arrival;
     arrival.t = 0u;
     sure = true;
-    if (!hit || walk.axis < 0)
+    if (!hit || traversal.axis < 0)
       return arrival;
-    arrival.t = crossing_time(ray, walk.axis, entered_face(ray, walk), sure);
+    arrival.t = crossing_time(ray, traversal.axis, entered_face(ray, traversal), sure);
     return arrival;
   }
 
-  // A single voxel: the walk has arrived.
-  bool intersect_voxel(Walk &walk, uint voxel) {
-    walk.voxel = voxel;
+  // A single voxel: the traversal has arrived.
+  bool intersect_voxel(Traversal &traversal, uint voxel) {
+    traversal.voxel = voxel;
     return true;
   }
 
@@ -1264,16 +1275,16 @@ template <bool SETTLES> struct Kernel {
     return load_word(node + 1u + uint(bitCount(masks & ((1u << child) - 1u))));
   }
 
-  // path[i] is the node i layers above the cells around the walk's cell: a step climbs only to the ancestor of the old
-  // cell and the new.
-  bool intersect_level_2(const Ray &ray, Walk &walk, uint root) {
+  // path[i] is the node i layers above the cells around the traversal's cell: a step climbs only to the ancestor of the
+  // old cell and the new.
+  bool intersect_level_2(const Ray &ray, Traversal &traversal, uint root) {
     uint path[LEVEL_2_DEPTH + 1];
     path[LEVEL_2_DEPTH] = root;
     int top = LEVEL_2_DEPTH;
     for (;;) {
       // Down to the leaf, or the empty child, `layer` layers above the cells.
-      count_lookup(walk);
-      ivec3 cell = walk.cell >> LEVEL_2_LOG2_CELL;
+      count_lookup(traversal);
+      ivec3 cell = traversal.cell >> LEVEL_2_LOG2_CELL;
       uint node = path[top];
       int layer = top;
       bool leaf = false;
@@ -1282,12 +1293,12 @@ template <bool SETTLES> struct Kernel {
         layer--;
         node = child_level_2(node, cell, layer, leaf);
       }
-      ivec3 before = walk.cell;
+      ivec3 before = traversal.cell;
       if (node == 0u)
-        step_over(ray, walk, LEVEL_2_LOG2_CELL + layer);
-      else if (leaf && intersect_voxel(walk, node))
+        step_over(ray, traversal, LEVEL_2_LOG2_CELL + layer);
+      else if (leaf && intersect_voxel(traversal, node))
         return true;
-      ivec3 changed = before ^ walk.cell;
+      ivec3 changed = before ^ traversal.cell;
       int highest = findMSB(uint(changed.x | changed.y | changed.z));
       if (highest >= LEVEL_2_LOG2_SIDE)
         return false;
@@ -1312,14 +1323,14 @@ template <bool SETTLES> struct Kernel {
     return load_word(slot);
   }
 
-  bool intersect_level_1(const Ray &ray, Walk &walk, uint grid) {
-    while (goes_on(walk)) {
-      count_lookup(walk);
-      Gap gap = Gap(LEVEL_1_LOG2_CELL, 1);
-      uint value = cell_level_1(grid, walk.cell >> LEVEL_1_LOG2_CELL);
+  bool intersect_level_1(const Ray &ray, Traversal &traversal, uint grid) {
+    while (goes_on(traversal)) {
+      count_lookup(traversal);
+      EmptySpan span = EmptySpan(LEVEL_1_LOG2_CELL, 1);
+      uint value = cell_level_1(grid, traversal.cell >> LEVEL_1_LOG2_CELL);
       if (value == 0u) {
-        step_over(ray, walk, gap);
-      } else if (intersect_level_2(ray, walk, value)) {
+        step_over(ray, traversal, span);
+      } else if (intersect_level_2(ray, traversal, value)) {
         return true;
       }
     }
@@ -1327,29 +1338,29 @@ template <bool SETTLES> struct Kernel {
   }
 
   // What a voxel is: here its value is its colour.
-  uint colour_of(const Walk &walk) { return load_word(walk.voxel); }
+  uint colour_of(const Traversal &traversal) { return load_word(traversal.voxel); }
 
   // ---- What follows is the same in every kernel ----
 
-  // Goes on with a walk to its end, or until it is left.
-  bool walk_on(const Ray &ray, Walk &walk, uint root) {
-    if (!SETTLES)
-      return is_in_volume(walk.cell) && intersect_level_1(ray, walk, root);
+  // Goes on with a traversal to its end, or until it is left.
+  bool continue_traversal(const Ray &ray, Traversal &traversal, uint root) {
+    if (!EXACT_FALLBACK)
+      return is_in_volume(traversal.cell) && intersect_level_1(ray, traversal, root);
     bool hit = false;
     bool is_under_way = true;
     while (is_under_way) {
-      while (walk.open >= 0)
-        settle_step(ray, walk);
-      // What was settled may have been the last step inside.
-      hit = is_in_volume(walk.cell) && intersect_level_1(ray, walk, root);
-      is_under_way = walk.open >= 0;
+      while (traversal.pending_step >= 0)
+        resolve_step(ray, traversal);
+      // What was resolved may have been the last step inside.
+      hit = is_in_volume(traversal.cell) && intersect_level_1(ray, traversal, root);
+      is_under_way = traversal.pending_step >= 0;
     }
     return hit;
   }
 
   // Rays and hits in their buffers. `at` is where the words of a hit begin: six for each ray.
 
-  // What is stored of a ray: a hit, or where its walk was left.
+  // What is stored of a ray: a hit, or where its traversal was left.
   struct HitWords {
     uvec3 voxel;
     uint rgba;
@@ -1377,44 +1388,46 @@ template <bool SETTLES> struct Kernel {
     return HitWords(voxel, hit_words[at + 3u], hit_words[at + 4u], hit_words[at + 5u]);
   }
 
-  // From the buffers to a walk, and back.
+  // From the buffers to a traversal, and back.
 
-  // Whether a walk is where it may go on.
-  bool is_under_way(const Walk &walk) { return is_in_volume(walk.open >= 0 ? ~walk.cell : walk.cell); }
-
-  // The walk of a ray that was left: -2 - cell in place of a voxel, what is open in place of its colour, its axis in
-  // place of t. One of -1 has not begun.
-  Walk left_walk(uint at) {
-    HitWords left = load_hit(at);
-    Walk walk = walk_at(-2 - ivec3(left.voxel));
-    walk.axis = int(left.t);
-    walk.open = max(int(left.rgba), CLOSED);
-    walk.cell = walk.open >= 0 ? ~walk.cell : walk.cell;
-    words_read = is_under_way(walk) ? left.last : 0u;
-    walk.lookups = words_read;
-    return walk;
+  // Whether a traversal is where it may go on.
+  bool is_under_way(const Traversal &traversal) {
+    return is_in_volume(traversal.pending_step >= 0 ? ~traversal.cell : traversal.cell);
   }
 
-  HitWords words_of_left(const Walk &walk) {
-    ivec3 voxel = -2 - (walk.open >= 0 ? ~walk.cell : walk.cell);
-    uint count = COUNT_WORDS ? words_read : walk.lookups;
-    return HitWords(uvec3(voxel), uint(walk.open), uint(walk.axis), count);
+  // The traversal of a ray that was left: -2 - cell in place of a voxel, what is open in place of its colour, its axis in
+  // place of t. One of -1 has not begun.
+  Traversal deferred_traversal(uint at) {
+    HitWords left = load_hit(at);
+    Traversal traversal = traversal_at(-2 - ivec3(left.voxel));
+    traversal.axis = int(left.t);
+    traversal.pending_step = max(int(left.rgba), NO_PENDING_STEP);
+    traversal.cell = traversal.pending_step >= 0 ? ~traversal.cell : traversal.cell;
+    words_read = is_under_way(traversal) ? left.last : 0u;
+    traversal.lookups = words_read;
+    return traversal;
+  }
+
+  HitWords words_of_deferred(const Traversal &traversal) {
+    ivec3 voxel = -2 - (traversal.pending_step >= 0 ? ~traversal.cell : traversal.cell);
+    uint count = COUNT_WORDS ? words_read : traversal.lookups;
+    return HitWords(uvec3(voxel), uint(traversal.pending_step), uint(traversal.axis), count);
   }
 
   // A hit is its voxel, if that is asked. A miss is -1. One that would not have ended is told by a cell far below.
-  HitWords words_of(const Walk &walk, bool hit, const Arrival &arrival) {
+  HitWords words_of(const Traversal &traversal, bool hit, const Arrival &arrival) {
     HitWords words;
-    words.voxel = uvec3(hit ? walk.cell : ivec3(walk.steps_left < 0 ? -0x7fffffff : -1));
-    words.rgba = hit ? colour_of(walk) : 0u;
+    words.voxel = uvec3(hit ? traversal.cell : ivec3(traversal.steps_left < 0 ? -0x7fffffff : -1));
+    words.rgba = hit ? colour_of(traversal) : 0u;
     words.t = hit ? arrival.t : 0u;
-    words.last = COUNT_WORDS ? words_read : walk.lookups;
+    words.last = COUNT_WORDS ? words_read : traversal.lookups;
     return words;
   }
 
   // The same of a miss, or where nothing is asked of an arrival.
-  HitWords words_without_arrival(const Walk &walk, bool hit) {
+  HitWords words_without_arrival(const Traversal &traversal, bool hit) {
     Arrival none;
-    return words_of(walk, hit, none);
+    return words_of(traversal, hit, none);
   }
 };
 
@@ -1428,16 +1441,16 @@ struct Rays {
   bool count_lookups;
   uint fewest_lanes; // That a packet goes on with.
   float spread;
-  uint left; // What a step that is left to exact arithmetic adds to the look-ups that are counted.
+  uint deferred_lookups; // What a step that exact arithmetic resolves adds to the look-ups that are counted.
   bool in_packets = true;
 
   template <typename Kernel> Kernel kernel() const { return {words, ray_words, hit_words, count_lookups, fewest_lanes, spread}; }
 };
 
 // Counts what exact arithmetic has done for a ray.
-inline void count_left(const Rays &rays, uint ray_number) {
-  if (rays.left != 0)
-    rays.hit_words[6 * ray_number + 5] += rays.left;
+inline void count_deferred(const Rays &rays, uint ray_number) {
+  if (rays.deferred_lookups != 0)
+    rays.hit_words[6 * ray_number + 5] += rays.deferred_lookups;
 }
 
 // Few enough for what belongs to them to stay near.
@@ -1454,15 +1467,15 @@ void fetch_packet(const Rays &rays, uint ray_number) {
 
 // What becomes of a ray in a packet.
 constexpr uint DONE = 0;
-constexpr uint LET_GO = 1;     // It is to go on among others.
-constexpr uint OPEN = 2;       // A step is to be settled.
+constexpr uint YIELDED = 1;    // It is to go on among others.
+constexpr uint PENDING = 2;    // A step is to be resolved.
 constexpr uint UNPREPARED = 3; // Its numbers are to be had by exact arithmetic alone.
 constexpr uint UNTIMED = 4; // And the axis: how it arrives is to be had so.
 
 // The number of no ray.
 constexpr uint NONE = ~0u;
 
-// What exact arithmetic has made of rays: the members of Ray that are no integers and that walks ask for, for each lane.
+// What exact arithmetic has made of rays: the members of Ray that are no integers and that traverses ask for, for each lane.
 struct Prepared {
   float numbers[17][LANES];
 };
@@ -1476,9 +1489,9 @@ template <typename Ray, typename Function> VOXC_INLINE void for_each_number(Ray 
   components(ray.origin, 0);
   components(ray.direction, 3);
   components(ray.inverse, 6);
-  components(ray.lowest, 9);
-  function(ray.slack, 12);
-  function(ray.certain, 13);
+  components(ray.origin_low, 9);
+  function(ray.t_error, 12);
+  function(ray.cell_margin, 13);
   components(ray.late, 14);
 }
 
@@ -1486,28 +1499,28 @@ template <typename Ray, typename Function> VOXC_INLINE void for_each_number(Ray 
 template <typename Kernel>
 VOXC_INLINE uint trace_lane(Kernel kernel, uint ray_number, bool goes_on, const Prepared *prepared, uint lane) {
   const uint at = 6 * ray_number;
-  typename Kernel::Walk walk = kernel.walk_at(ivec3(-1));
+  typename Kernel::Traversal traversal = kernel.traversal_at(ivec3(-1));
   if (goes_on)
-    walk = kernel.left_walk(at);
+    traversal = kernel.deferred_traversal(at);
   const uvec3 direction = kernel.load_direction(at);
   const uint root = kernel.load_word(0); // Leads to level 1, unless the volume is empty.
   typename Kernel::Ray ray;
-  bool walks = kernel.begin_walk(kernel.load_origin(at), direction, root, ray, walk);
+  bool is_active = kernel.begin_traversal(kernel.load_origin(at), direction, root, ray, traversal);
   if (prepared != nullptr) {
     for_each_number(ray, [&](float &value, uint number) { value = prepared->numbers[number][lane]; });
-    walk = kernel.left_walk(at);
-    walks = true;
+    traversal = kernel.deferred_traversal(at);
+    is_active = true;
   }
-  bool hit = walks && kernel.intersect_level_1(ray, walk, root);
-  hit = kernel.end_walk(kernel.load_origin(at), direction, walk, hit);
-  if (walk.open != Kernel::CLOSED || (!hit && kernel.is_in_volume(walk.cell))) {
-    kernel.store_hit(at, kernel.words_of_left(walk));
-    return walk.open >= 0 ? OPEN : walk.open == Kernel::CLOSED ? LET_GO : UNPREPARED;
+  bool hit = is_active && kernel.intersect_level_1(ray, traversal, root);
+  hit = kernel.end_traversal(kernel.load_origin(at), direction, traversal, hit);
+  if (traversal.pending_step != Kernel::NO_PENDING_STEP || (!hit && kernel.is_in_volume(traversal.cell))) {
+    kernel.store_hit(at, kernel.words_of_deferred(traversal));
+    return traversal.pending_step >= 0 ? PENDING : traversal.pending_step == Kernel::NO_PENDING_STEP ? YIELDED : UNPREPARED;
   }
   bool sure;
-  const typename Kernel::Arrival arrival = kernel.arrival_at(ray, walk, hit, sure);
-  kernel.store_hit(at, kernel.words_of(walk, hit, arrival));
-  return sure ? DONE : UNTIMED + uint(walk.axis);
+  const typename Kernel::Arrival arrival = kernel.arrival_at(ray, traversal, hit, sure);
+  kernel.store_hit(at, kernel.words_of(traversal, hit, arrival));
+  return sure ? DONE : UNTIMED + uint(traversal.axis);
 }
 
 using Lanes = Kernel<false>;
@@ -1536,42 +1549,42 @@ VOXC_PART_FUNCTION bool go_on_exactly(const Rays &rays, uint ray_number, uint ou
 #if VOXC_PARTS & VOXC_PART_OF_EXACTNESS
 using Exact = Kernel<true>;
 
-[[gnu::noinline]] bool begin_exactly(Exact &kernel, uint at, bool goes_on, Exact::Ray &ray, Exact::Walk &walk) {
-  walk = kernel.walk_at(ivec3(-1));
+[[gnu::noinline]] bool begin_exactly(Exact &kernel, uint at, bool goes_on, Exact::Ray &ray, Exact::Traversal &traversal) {
+  traversal = kernel.traversal_at(ivec3(-1));
   if (goes_on)
-    walk = kernel.left_walk(at);
-  return kernel.begin_walk(kernel.load_origin(at), kernel.load_direction(at), kernel.load_word(0), ray, walk);
+    traversal = kernel.deferred_traversal(at);
+  return kernel.begin_traversal(kernel.load_origin(at), kernel.load_direction(at), kernel.load_word(0), ray, traversal);
 }
 
 bool prepare(const Rays &rays, uint ray_number, Prepared &prepared, uint lane) {
   Exact kernel = rays.kernel<Exact>();
   const uint at = 6 * ray_number;
-  Exact::Walk walk;
+  Exact::Traversal traversal;
   Exact::Ray ray;
-  if (!begin_exactly(kernel, at, false, ray, walk)) {
-    kernel.store_hit(at, kernel.words_without_arrival(walk, false));
+  if (!begin_exactly(kernel, at, false, ray, traversal)) {
+    kernel.store_hit(at, kernel.words_without_arrival(traversal, false));
     return false;
   }
   for_each_number(ray, [&](float &value, uint number) { prepared.numbers[number][lane] = value; });
-  kernel.store_hit(at, kernel.words_of_left(walk));
-  count_left(rays, ray_number);
+  kernel.store_hit(at, kernel.words_of_deferred(traversal));
+  count_deferred(rays, ray_number);
   return true;
 }
 
-// Settles the open step of a ray. False if that has brought it out of the volume.
-[[gnu::noinline]] bool settle(const Rays &rays, uint ray_number) {
+// Resolves the pending step of a ray. False if that has brought it out of the volume.
+[[gnu::noinline]] bool resolve_exactly(const Rays &rays, uint ray_number) {
   Exact kernel = rays.kernel<Exact>();
   const uint at = 6 * ray_number;
-  Exact::Walk walk;
+  Exact::Traversal traversal;
   Exact::Ray ray;
-  begin_exactly(kernel, at, true, ray, walk);
-  kernel.settle_step(ray, walk);
-  const bool stays = kernel.is_in_volume(walk.cell);
+  begin_exactly(kernel, at, true, ray, traversal);
+  kernel.resolve_step(ray, traversal);
+  const bool stays = kernel.is_in_volume(traversal.cell);
   if (stays)
-    kernel.store_hit(at, kernel.words_of_left(walk));
+    kernel.store_hit(at, kernel.words_of_deferred(traversal));
   else
-    kernel.store_hit(at, kernel.words_without_arrival(walk, false));
-  count_left(rays, ray_number);
+    kernel.store_hit(at, kernel.words_without_arrival(traversal, false));
+  count_deferred(rays, ray_number);
   return stays;
 }
 
@@ -1579,14 +1592,14 @@ bool prepare(const Rays &rays, uint ray_number, Prepared &prepared, uint lane) {
 [[gnu::noinline]] void find_arrival(const Rays &rays, uint ray_number, int axis) {
   Exact kernel = rays.kernel<Exact>();
   const uint at = 6 * ray_number;
-  Exact::Walk walk;
+  Exact::Traversal traversal;
   Exact::Ray ray;
-  begin_exactly(kernel, at, false, ray, walk);
+  begin_exactly(kernel, at, false, ray, traversal);
   uint *hit = rays.hit_words + at;
-  walk.cell = ivec3(int(hit[0]), int(hit[1]), int(hit[2]));
-  walk.axis = axis;
-  hit[4] = kernel.time_exactly(ray, axis, kernel.entered_face(ray, walk));
-  count_left(rays, ray_number);
+  traversal.cell = ivec3(int(hit[0]), int(hit[1]), int(hit[2]));
+  traversal.axis = axis;
+  hit[4] = kernel.time_exactly(ray, axis, kernel.entered_face(ray, traversal));
+  count_deferred(rays, ray_number);
 }
 
 bool go_on_exactly(const Rays &rays, uint ray_number, uint outcome) {
@@ -1594,7 +1607,7 @@ bool go_on_exactly(const Rays &rays, uint ray_number, uint outcome) {
     find_arrival(rays, ray_number, int(outcome - UNTIMED));
     return false;
   }
-  return settle(rays, ray_number);
+  return resolve_exactly(rays, ray_number);
 }
 #endif
 
@@ -1634,17 +1647,17 @@ constexpr uint WORTH_PACKING = 4 * LANES;
 // So often: a ray that is let go may not have come further, and after that each does.
 constexpr uint MOST_PACKINGS = 16;
 
-// As many as any walk has.
+// As many as any traversal has.
 uint most_steps() { return uint(Lanes::VOLUME_SIZE.x + Lanes::VOLUME_SIZE.y + Lanes::VOLUME_SIZE.z); }
 
-// Tells of a ray whose walk would not have ended.
-void tell_endless(const Rays &rays, uint ray_number) {
+// Tells of a ray whose traversal would not have ended.
+void report_nonterminated(const Rays &rays, uint ray_number) {
   for (uint axis = 0; axis < 3; axis++)
     rays.hit_words[6 * ray_number + axis] = 0x80000001u;
 }
 
 // Whether exact arithmetic has to say how it goes on.
-bool is_left_open(uint outcome) { return outcome == OPEN || outcome > UNPREPARED; }
+bool is_pending(uint outcome) { return outcome == PENDING || outcome > UNPREPARED; }
 
 // Traces rays which exact arithmetic has to prepare, in one packet.
 void trace_hard(Rays rays, const uint *list, uint count) {
@@ -1653,9 +1666,9 @@ void trace_hard(Rays rays, const uint *list, uint count) {
   uint numbers[LANES];
   uint left = 0;
   for (uint lane = 0; lane < count; lane++) {
-    const bool walks = prepare(rays, list[lane], prepared, lane);
-    numbers[lane] = walks ? list[lane] : NONE;
-    left += walks;
+    const bool is_active = prepare(rays, list[lane], prepared, lane);
+    numbers[lane] = is_active ? list[lane] : NONE;
+    left += is_active;
   }
   for (uint step = 0; step < most_steps() && left > 0; step++) {
     uint outcomes[LANES];
@@ -1663,7 +1676,7 @@ void trace_hard(Rays rays, const uint *list, uint count) {
     for (uint lane = 0; lane < count; lane++) {
       if (numbers[lane] == NONE)
         continue;
-      if (is_left_open(outcomes[lane]) && go_on_exactly(rays, numbers[lane], outcomes[lane]))
+      if (is_pending(outcomes[lane]) && go_on_exactly(rays, numbers[lane], outcomes[lane]))
         continue;
       numbers[lane] = NONE;
       left--;
@@ -1671,12 +1684,12 @@ void trace_hard(Rays rays, const uint *list, uint count) {
   }
   for (uint lane = 0; lane < count; lane++)
     if (numbers[lane] != NONE)
-      tell_endless(rays, numbers[lane]);
+      report_nonterminated(rays, numbers[lane]);
 }
 
-// Traces rays packet by packet; then those again of which a step had to be settled, until all are done.
+// Traces rays packet by packet; then those again of which a step had to be resolved, until all are done.
 void answer_batch(Rays rays, uint count) {
-  // A walk that is let go looks again where it goes on.
+  // A traversal that is let go looks again where it goes on.
   const bool counts = rays.count_lookups || Lanes::COUNT_WORDS;
   rays.in_packets = are_worth_packets(count);
   uint list[BATCH];
@@ -1700,7 +1713,7 @@ void answer_batch(Rays rays, uint count) {
           continue;
         if (outcomes[lane] == UNPREPARED)
           hard[hard_count++] = ray_number;
-        else if (outcomes[lane] == LET_GO || go_on_exactly(rays, ray_number, outcomes[lane]))
+        else if (outcomes[lane] == YIELDED || go_on_exactly(rays, ray_number, outcomes[lane]))
           list[left++] = ray_number;
         if (hard_count == LANES) {
           trace_hard(rays, hard, hard_count);
@@ -1712,7 +1725,7 @@ void answer_batch(Rays rays, uint count) {
   }
   trace_hard(rays, hard, hard_count);
   for (uint i = 0; i < count; i++)
-    tell_endless(rays, list[i]);
+    report_nonterminated(rays, list[i]);
 }
 #endif
 

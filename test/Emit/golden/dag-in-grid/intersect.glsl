@@ -7,52 +7,54 @@
 // A host that wants workgroups of another size says so.
 layout(local_size_x = 64, local_size_x_id = 7) in;
 
-// A ray, prepared for walking. Its members that are no integers are approximate; what must be exact is asked of the ray
-// as given.
+// A ray, prepared for the traversal. Its members that are no integers are approximate; what must be exact is asked of
+// the ray as given.
 struct Ray {
-  uvec3 given_origin; // The bits of six float32 taken as exact numbers.
+  uvec3 given_origin;     // The bits of six float32 taken as exact numbers.
   uvec3 given_direction;
-  vec3 origin;        // Where the traversal counts from: the given origin, or where a ray from far away enters.
+  vec3 origin;            // Where the traversal counts from: the given origin, or where a ray from far away enters.
   // Scaled so that the longest component is in [1, 2). Where a coordinate never changes it is LEAST_COMPONENT: that
   // passes no face before another does. All t are those of this direction, from this origin.
   vec3 direction;
   vec3 inverse;
-  vec3 late;          // By how much each t comes late that is counted from there.
-  float slack;        // What is wrong of a t, beside a few roundings.
-  vec3 lowest;        // The least that is certain of the coordinates at the origin,
-  float doubt;        // and how much more any coordinate on the way may be, in voxels.
-  float certain;      // A coordinate that is at least this far below the next whole number is in its cell.
-  bvec3 moves;        // False on an axis whose coordinate never changes.
-  bvec3 falls;        // The coordinate falls.
-  ivec3 heading;      // -1 where the coordinate falls, else 1.
-  vec3 beyond;        // From a face that the ray passes to the cell behind it: -1 where the coordinate falls, else 0.
-  ivec3 ahead;        // No bits where the coordinate falls, else all: picks the face of a cube that lies ahead.
+  vec3 late;              // By how much each t comes late that is counted from there.
+  float t_error;          // Absolute error bound of t, apart from a few rounding errors.
+  vec3 origin_low;        // The least that is certain of the coordinates at the origin,
+  float coordinate_error; // and how much more any coordinate on the way may be, in voxels.
+  float cell_margin;      // A coordinate that is at least this far below the next whole number is in its cell.
+  bvec3 moves;            // False on an axis whose coordinate never changes.
+  bvec3 falls;            // The coordinate falls.
+  ivec3 heading;          // -1 where the coordinate falls, else 1.
+  // From a face that the ray passes to the cell behind it: -1 where the coordinate falls, else 0.
+  vec3 beyond;
+  ivec3 ahead;            // No bits where the coordinate falls, else all: picks the face of a cube that lies ahead.
 };
 
 // Empty cubes of 2^log2_side voxels a side: the one around a cell and, `count` a side, those that lie ahead of it.
-struct Gap {
+struct EmptySpan {
   int log2_side;
   int count;
 };
 
 // Where a ray is: the first cell not yet proved empty. Each step moves it by at least one cell, and never back.
-struct Walk {
-  ivec3 cell;     // In voxels; outside the volume before and after the walk.
-  int axis;       // The axis on which the ray entered the cell; -1 where it started.
-  uint voxel;     // Where the voxel that was hit is to be had, as the lowest level finds it.
+struct Traversal {
+  ivec3 cell;       // In voxels; outside the volume before and after the traversal.
+  int axis;         // The axis on which the ray entered the cell; -1 where it started.
+  uint voxel;       // Where the voxel that was hit is to be had, as the lowest level finds it.
   uint lookups;
-  int steps_left; // There are no more cells on any ray; a walk with less than 0 is an error of the kernel's.
-  int open;       // A step over a gap around ~cell is left open: 32 times its count, and its log2_side. Else CLOSED.
+  int steps_left;   // There are no more cells on any ray; a traversal with less than 0 is an error of the kernel's.
+  // A step over an empty span around ~cell is pending: 32 times its count, and its log2_side. Else NO_PENDING_STEP.
+  int pending_step;
 };
 
 // What follows behind the format.
 uint load_word(uint place);
-void count_lookup(inout Walk walk);
-bool goes_on(const Walk walk);
-void step_over(const Ray ray, inout Walk walk, const Gap gap, vec3 face);
-void step_over(const Ray ray, inout Walk walk, const Gap gap);
-void step_over(const Ray ray, inout Walk walk, int log2_side);
-bool intersect_voxel(inout Walk walk, uint voxel);
+void count_lookup(inout Traversal traversal);
+bool goes_on(const Traversal traversal);
+void step_over(const Ray ray, inout Traversal traversal, const EmptySpan span, vec3 face);
+void step_over(const Ray ray, inout Traversal traversal, const EmptySpan span);
+void step_over(const Ray ray, inout Traversal traversal, int log2_side);
+bool intersect_voxel(inout Traversal traversal, uint voxel);
 
 // ---- The format: R(4, 4, 4) G(8) ----
 
@@ -79,16 +81,16 @@ uint child_level_2(uint node, ivec3 cell, int height, out bool leaf) {
   return load_word(node + 1u + uint(bitCount(masks & ((1u << child) - 1u))));
 }
 
-// path[i] is the node i layers above the cells around the walk's cell: a step climbs only to the ancestor of the old
-// cell and the new.
-bool intersect_level_2(const Ray ray, inout Walk walk, uint root) {
+// path[i] is the node i layers above the cells around the traversal's cell: a step climbs only to the ancestor of the
+// old cell and the new.
+bool intersect_level_2(const Ray ray, inout Traversal traversal, uint root) {
   uint path[LEVEL_2_DEPTH + 1];
   path[LEVEL_2_DEPTH] = root;
   int top = LEVEL_2_DEPTH;
   for (;;) {
     // Down to the leaf, or the empty child, `layer` layers above the cells.
-    count_lookup(walk);
-    ivec3 cell = walk.cell >> LEVEL_2_LOG2_CELL;
+    count_lookup(traversal);
+    ivec3 cell = traversal.cell >> LEVEL_2_LOG2_CELL;
     uint node = path[top];
     int layer = top;
     bool leaf = false;
@@ -97,12 +99,12 @@ bool intersect_level_2(const Ray ray, inout Walk walk, uint root) {
       layer--;
       node = child_level_2(node, cell, layer, leaf);
     }
-    ivec3 before = walk.cell;
+    ivec3 before = traversal.cell;
     if (node == 0u)
-      step_over(ray, walk, LEVEL_2_LOG2_CELL + layer);
-    else if (leaf && intersect_voxel(walk, node))
+      step_over(ray, traversal, LEVEL_2_LOG2_CELL + layer);
+    else if (leaf && intersect_voxel(traversal, node))
       return true;
-    ivec3 changed = before ^ walk.cell;
+    ivec3 changed = before ^ traversal.cell;
     int highest = findMSB(uint(changed.x | changed.y | changed.z));
     if (highest >= LEVEL_2_LOG2_SIDE)
       return false;
@@ -127,14 +129,14 @@ uint cell_level_1(uint grid, ivec3 cell) {
   return load_word(slot);
 }
 
-bool intersect_level_1(const Ray ray, inout Walk walk, uint grid) {
-  while (goes_on(walk)) {
-    count_lookup(walk);
-    Gap gap = Gap(LEVEL_1_LOG2_CELL, 1);
-    uint value = cell_level_1(grid, walk.cell >> LEVEL_1_LOG2_CELL);
+bool intersect_level_1(const Ray ray, inout Traversal traversal, uint grid) {
+  while (goes_on(traversal)) {
+    count_lookup(traversal);
+    EmptySpan span = EmptySpan(LEVEL_1_LOG2_CELL, 1);
+    uint value = cell_level_1(grid, traversal.cell >> LEVEL_1_LOG2_CELL);
     if (value == 0u) {
-      step_over(ray, walk, gap);
-    } else if (intersect_level_2(ray, walk, value)) {
+      step_over(ray, traversal, span);
+    } else if (intersect_level_2(ray, traversal, value)) {
       return true;
     }
   }
@@ -142,7 +144,7 @@ bool intersect_level_1(const Ray ray, inout Walk walk, uint grid) {
 }
 
 // What a voxel is: here its value is its colour.
-uint colour_of(const Walk walk) { return load_word(walk.voxel); }
+uint colour_of(const Traversal traversal) { return load_word(traversal.voxel); }
 
 // ---- What follows is the same in every kernel ----
 
@@ -158,18 +160,20 @@ uint words_read = 0u;
 layout(std430, set = 0, binding = 0) readonly restrict buffer Rays { uvec2 ray_pairs[]; };
 // Six words a hit: voxel, rgba, t, and lookups or words read, else a face.
 layout(std430, set = 0, binding = 1) restrict buffer Hits { uvec2 hit_pairs[]; };
-// A dispatch that does not settle leaves the rays which exact arithmetic has to look at to one that does, over these
-// alone: what that is started with, how many they are, and their numbers.
-layout(std430, set = 0, binding = 3) restrict buffer Left { uint left_groups[3]; uint left_count; uint left_rays[]; };
-layout(constant_id = 3) const bool SETTLES = true;
+// A dispatch without the exact fallback defers the rays that need exact arithmetic to one with it, over these alone:
+// what that is started with, how many they are, and their numbers.
+layout(std430, set = 0,
+    binding = 3) restrict buffer Deferred { uint deferred_groups[3]; uint deferred_count; uint deferred_rays[]; };
+layout(constant_id = 3) const bool EXACT_FALLBACK = true;
 // Rays that begin far away are moved near the volume; off, where none does, it costs nothing, and those that do are
-// settled.
+// resolved exactly.
 layout(constant_id = 6) const bool COMES_NEAR = true;
-// The rays of this dispatch; a `task` other than all of them, from their beginning, goes on with rays that were left.
+// The rays of this dispatch; a `task` other than all of them, from their beginning, goes on with rays that were
+// deferred.
 layout(push_constant) uniform Tile { uint first_ray; uint ray_count; uint task; };
 const uint ALL = 0u;
-const uint LEFT_OVER = 1u; // Those of the list.
-const uint CUT_OFF = 2u; // Those that are unfinished.
+const uint DEFERRED = 1u; // Those of the list.
+const uint TRUNCATED = 2u; // Those that are unfinished.
 
 // The volume's words lie in one storage buffer.
 layout(std430, set = 0, binding = 2) readonly restrict buffer Words { uint words[]; };
@@ -187,10 +191,10 @@ struct Exit {
   bool sure;    // It is known to pass that one first.
 };
 
-const int CLOSED = -1;
-const int AGAIN = -2; // The walk is to be gone on with, from its cell, by who settles.
+const int NO_PENDING_STEP = -1;
+const int RETRY = -2; // The traversal is to be gone on with, from its cell, by the exact fallback.
 
-const float NEVER = 1e30f; // A t that no ray of a usual length comes to.
+const float NEVER = 1e30f; // A t that no ray of an ordinary length comes to.
 
 // What is rounded on the way to a t, which is a difference, an inverse and a product. Where devices round to nearest,
 // eight roundings: the order of two t is certain beyond 7 roundings of the earlier, and a coordinate within 7 of how
@@ -198,41 +202,41 @@ const float NEVER = 1e30f; // A t that no ray of a usual length comes to.
 // the order of two t is certain beyond 11, and a coordinate within 9.5.
 const float ROUNDINGS = 12.0f / 8388608.0f;
 
-// A walk that is about to begin, or to go on.
-Walk walk_at(ivec3 cell) {
+// A traversal that is about to begin, or to go on.
+Traversal traversal_at(ivec3 cell) {
   int most_steps = VOLUME_SIZE.x + VOLUME_SIZE.y + VOLUME_SIZE.z;
-  return Walk(cell, -1, 0u, 0u, most_steps, CLOSED);
+  return Traversal(cell, -1, 0u, 0u, most_steps, NO_PENDING_STEP);
 }
 
-// Ends a walk that takes more steps than any can.
-void count_step(inout Walk walk) {
-  walk.steps_left--;
-  walk.cell.x |= walk.steps_left >> 31; // All bits: outside, whatever follows.
+// Ends a traversal that takes more steps than any can.
+void count_step(inout Traversal traversal) {
+  traversal.steps_left--;
+  traversal.cell.x |= traversal.steps_left >> 31; // All bits: outside, whatever follows.
 }
 
-void count_lookup(inout Walk walk) {
+void count_lookup(inout Traversal traversal) {
   if (COUNT_LOOKUPS)
-    walk.lookups++;
+    traversal.lookups++;
 }
 
 bool is_in_volume(ivec3 cell) { return all(lessThan(uvec3(cell), uvec3(VOLUME_SIZE))); }
 
-// Whether a walk has more to see here.
-bool goes_on(const Walk walk) { return is_in_volume(walk.cell); }
+// Whether a traversal has more to see here.
+bool goes_on(const Traversal traversal) { return is_in_volume(traversal.cell); }
 
 // The low corner of the aligned cube of 2^log2_side voxels a side around a cell.
 ivec3 corner_of(ivec3 cell, int log2_side) { return (cell >> log2_side) << log2_side; }
 
-// The low corner of the cube of a gap around a cell.
-ivec3 corner_of(const Ray ray, ivec3 cell, const Gap gap) {
-  return corner_of(cell, gap.log2_side) - (~ray.ahead & ((gap.count - 1) << gap.log2_side));
+// The low corner of the cube of an empty span around a cell.
+ivec3 corner_of(const Ray ray, ivec3 cell, const EmptySpan span) {
+  return corner_of(cell, span.log2_side) - (~ray.ahead & ((span.count - 1) << span.log2_side));
 }
 
-// The faces of a gap around a cell that lie ahead.
-ivec3 faces_ahead(const Ray ray, ivec3 cell, const Gap gap) {
-  int side = 1 << gap.log2_side;
-  // From the cube's low face to that of the gap, where the coordinate falls.
-  int back = side - (gap.count << gap.log2_side);
+// The faces of an empty span around a cell that lie ahead.
+ivec3 faces_ahead(const Ray ray, ivec3 cell, const EmptySpan span) {
+  int side = 1 << span.log2_side;
+  // From the cube's low face to that of the empty span, where the coordinate falls.
+  int back = side - (span.count << span.log2_side);
   return (cell & -side) + back + (ray.ahead & (side - back - back));
 }
 
@@ -417,7 +421,7 @@ OUT_OF_LINE int compare_exactly(const Ray ray, int a, int face_a, int b, int fac
   return order == CUT_SHORT || ray.falls[a] == ray.falls[b] ? order : -order;
 }
 
-// The same, by doubles where they can tell.
+// The same, by doubles where they can decide.
 int compare_crossings(const Ray ray, int a, int face_a, int b, int face_b) {
   return compare_exactly(ray, a, face_a, b, face_b);
 }
@@ -441,7 +445,7 @@ void narrow(const Ray ray, const Crossing crossing, int axis, int face, int orde
 }
 
 // Narrows a range down, on each axis, to the cell that the ray is in once a crossing has happened.
-OUT_OF_LINE ivec3 settle(const Ray ray, const Crossing crossing, const Range candidates) {
+OUT_OF_LINE ivec3 resolve_cell(const Ray ray, const Crossing crossing, const Range candidates) {
   Range range = candidates;
   while (range.least != range.most) {
     int axis = undecided_axis(range);
@@ -453,43 +457,44 @@ OUT_OF_LINE ivec3 settle(const Ray ray, const Crossing crossing, const Range can
 
 // What can be told, without integers, of the cell, within a range, that the ray is in once a crossing has happened.
 Range approximate_cell(const Ray ray, const Crossing crossing, const Range range) {
-  vec3 point = ray.lowest + crossing.t * ray.direction;
-  vec3 doubt = mix(vec3(0.0f), vec3(ray.doubt), ray.moves);
+  vec3 point = ray.origin_low + crossing.t * ray.direction;
+  vec3 bound = mix(vec3(0.0f), vec3(ray.coordinate_error), ray.moves);
   vec3 least = vec3(range.least);
   vec3 most = vec3(range.most);
-  return Range(ivec3(clamp(floor(point), least, most)), ivec3(clamp(floor(point + doubt), least, most)));
+  return Range(ivec3(clamp(floor(point), least, most)), ivec3(clamp(floor(point + bound), least, most)));
 }
 
-// Steps that are exact for every ray: by float32 or doubles where these can tell, by integers elsewhere.
+// Steps that are exact for every ray: by float32 or doubles where these can decide, by integers elsewhere.
 
-// How the ray leaves cells through the first of the faces ahead. Not sure if its t cannot tell which that is.
+// How the ray leaves cells through the first of the faces ahead. Not sure if its t cannot decide which that is.
 Exit leave(const Ray ray, vec3 face) {
   vec3 t = times_of(ray, face);
   float first = least_of(t);
   float second = second_least_of(t); // Of negative ones, none that is sure.
-  return Exit(first, equal(t, vec3(first)), second > first + (first * ROUNDINGS + ray.slack));
+  return Exit(first, equal(t, vec3(first)), second > first + (first * ROUNDINGS + ray.t_error));
 }
 
 // The cell that a ray comes to where it leaves others, of which `cell` is one, by one of the faces ahead. Not sure if
-// its point cannot tell on which side of another face that is.
+// its point cannot decide on which side of another face that is.
 ivec3 cell_beyond(const Ray ray, vec3 face, inout Exit leaving) {
-  vec3 point = mix(ray.lowest + leaving.t * ray.direction, face + ray.beyond, leaving.passed);
+  vec3 point = mix(ray.origin_low + leaving.t * ray.direction, face + ray.beyond, leaving.passed);
   vec3 whole = floor(point);
-  bool is_certain = greatest_of(point - whole) < ray.certain;
+  bool is_certain = greatest_of(point - whole) < ray.cell_margin;
   leaving.sure = leaving.sure && is_certain;
   return ivec3(whole);
 }
 
-// Settles the step over the gap around the walk's cell: which faces the ray passes first, of those that float32 cannot
-// tell apart, and then by bisection to which cell it comes. All questions are asked at one place, since devices of wide
-// vectors run through it as often as any ray needs it. Where the device cuts it short, the walk stays where it is.
-OUT_OF_LINE Walk settled(const Ray ray, Walk walk, const Gap gap) {
-  int side = gap.count << gap.log2_side;
-  ivec3 corner = corner_of(ray, walk.cell, gap);
+// Resolves the step over the empty span around the traversal's cell: which faces the ray passes first, of those that
+// float32 cannot decide apart, and then by bisection to which cell it comes. All questions are asked at one place,
+// since devices of wide vectors run through it as often as any ray needs it. Where the device cuts it short, the
+// traversal stays where it is.
+OUT_OF_LINE Traversal exact_step(const Ray ray, Traversal traversal, const EmptySpan span) {
+  int side = span.count << span.log2_side;
+  ivec3 corner = corner_of(ray, traversal.cell, span);
   ivec3 face = corner + (ray.ahead & side);
   vec3 t = times_of(ray, vec3(face));
   float earliest = min(min(t.x, t.y), t.z);
-  bvec3 may_be_first = lessThanEqual(t, vec3(earliest + (earliest * ROUNDINGS + ray.slack)));
+  bvec3 may_be_first = lessThanEqual(t, vec3(earliest + (earliest * ROUNDINGS + ray.t_error)));
   ivec3 bits = ivec3(may_be_first) * ivec3(ray.moves);
   int axes = bits.x | bits.y << 1 | bits.z << 2;
   int first = findLSB(uint(axes));
@@ -523,47 +528,51 @@ OUT_OF_LINE Walk settled(const Ray ray, Walk walk, const Gap gap) {
     }
   }
   if (order != CUT_SHORT && range.least == range.most) {
-    walk.cell = range.least;
-    walk.axis = crossing.axis;
+    traversal.cell = range.least;
+    traversal.axis = crossing.axis;
   }
-  return walk;
+  return traversal;
 }
 
-// Settles the step of a walk that was left open.
-void settle_step(const Ray ray, inout Walk walk) {
-  Gap gap = Gap(walk.open & 31, walk.open >> 5);
-  walk.open = CLOSED;
-  walk.cell = ~walk.cell;
-  walk = settled(ray, walk, gap);
+// Resolves the step of a traversal that is pending.
+void resolve_step(const Ray ray, inout Traversal traversal) {
+  EmptySpan span = EmptySpan(traversal.pending_step & 31, traversal.pending_step >> 5);
+  traversal.pending_step = NO_PENDING_STEP;
+  traversal.cell = ~traversal.cell;
+  traversal = exact_step(ray, traversal, span);
 }
 
 // Steps from one cell of the ray to the next.
 
-// Ends a step over the gap around the walk's cell, or over that and more, which leads to another cell if that is sure.
-void end_step(inout Walk walk, const Exit leaving, ivec3 cell, const Gap gap) {
-  walk.axis = leaving.passed.z ? 2 : leaving.passed.y ? 1 : 0;
+// Ends a step over the empty span around the traversal's cell, or over that and more, which leads to another cell if
+// that is sure.
+void end_step(inout Traversal traversal, const Exit leaving, ivec3 cell, const EmptySpan span) {
+  traversal.axis = leaving.passed.z ? 2 : leaving.passed.y ? 1 : 0;
   bool sure = leaving.sure;
-  // A step that is not sure is left open, and all loops end: what settles it stands outside of them, where lanes
+  // A step that is not sure is left pending, and all loops end: what resolves it stands outside of them, where lanes
   // that are sure need not wait for it.
-  walk.cell = sure ? cell : ~walk.cell; // The next turn may read what is there before it is known if the step is sure.
-  walk.open = sure ? CLOSED : gap.count << 5 | gap.log2_side;
-  count_step(walk);
+  // The next turn may read what is there before it is known if the step is sure.
+  traversal.cell = sure ? cell : ~traversal.cell;
+  traversal.pending_step = sure ? NO_PENDING_STEP : span.count << 5 | span.log2_side;
+  count_step(traversal);
 }
 
-// Steps over the gap around the walk's cell, of which these faces lie ahead.
-void step_over(const Ray ray, inout Walk walk, const Gap gap, vec3 face) {
+// Steps over the empty span around the traversal's cell, of which these faces lie ahead.
+void step_over(const Ray ray, inout Traversal traversal, const EmptySpan span, vec3 face) {
   Exit leaving = leave(ray, face);
   ivec3 cell = cell_beyond(ray, face, leaving);
-  end_step(walk, leaving, cell, gap);
+  end_step(traversal, leaving, cell, span);
 }
 
-// Steps over the gap around the walk's cell.
-void step_over(const Ray ray, inout Walk walk, const Gap gap) {
-  step_over(ray, walk, gap, vec3(faces_ahead(ray, walk.cell, gap)));
+// Steps over the empty span around the traversal's cell.
+void step_over(const Ray ray, inout Traversal traversal, const EmptySpan span) {
+  step_over(ray, traversal, span, vec3(faces_ahead(ray, traversal.cell, span)));
 }
 
-// Steps over the empty cube of 2^log2_side voxels a side around the walk's cell.
-void step_over(const Ray ray, inout Walk walk, int log2_side) { step_over(ray, walk, Gap(log2_side, 1)); }
+// Steps over the empty cube of 2^log2_side voxels a side around the traversal's cell.
+void step_over(const Ray ray, inout Traversal traversal, int log2_side) {
+  step_over(ray, traversal, EmptySpan(log2_side, 1));
+}
 
 // Rays that begin far away, whose numbers would be too wrong to tell anything of a volume: they are moved along
 // themselves until they begin near it.
@@ -584,9 +593,9 @@ float far_away() {
 
 // What is known of a ray that may have been moved.
 struct Start {
-  bool is_far; // It still begins far away, and float32 tells nothing of it.
-  float wrong; // What may be wrong of its coordinates, beside a few roundings,
-  float slack; // and of a t.
+  bool is_far;   // It still begins far away, and float32 tells nothing of it.
+  float wrong;   // What may be wrong of its coordinates, beside a few roundings,
+  float t_error; // and of a t.
 };
 
 bool is_far(vec3 coordinate, bvec3 moves) {
@@ -610,7 +619,7 @@ Start come_near(inout Ray ray, vec3 face) {
   const uint UPPER = 0xfffff000u; // The bits of a float32 but the lowest 12 of its significand.
   const int MOST_MOVES = 3;
   // No ordinary ray is, if none comes near.
-  Start start = Start((COMES_NEAR || SETTLES) && is_far(ray.origin, ray.moves), 0.0f, 0.0f);
+  Start start = Start((COMES_NEAR || EXACT_FALLBACK) && is_far(ray.origin, ray.moves), 0.0f, 0.0f);
   if (!COMES_NEAR || !start.is_far)
     return start;
   vec3 direction = mix(vec3(0.0f), ray.direction, ray.moves);
@@ -637,28 +646,28 @@ Start come_near(inout Ray ray, vec3 face) {
   // A t is rounded once more by what comes late, and none in the volume is above that of its last entry and the longest
   // side, which is half of what is far.
   steep = mix(vec3(0.0f), steep, ray.moves);
-  start.slack = 2.0f * start.wrong * max(max(steep.x, steep.y),
+  start.t_error = 2.0f * start.wrong * max(max(steep.x, steep.y),
       steep.z) + (latest + 0.5f * far_away()) * ROUNDINGS / 4.0f;
   start.wrong += far_away() / 4194304.0f; // What is behind, and that rounding.
   return start;
 }
 
-// Where a walk begins: in the cell of the ray's origin, or in the first cell of the volume that the ray comes to.
+// Where a traversal begins: in the cell of the ray's origin, or in the first cell of the volume that the ray comes to.
 
 const float CLOSE = 1.0f / 2048.0f; // In voxels.
 
-// Bounds what float32 gets wrong in a walk through the volume, where the origin itself is wrong by `of_origin`, and a t
-// by `slack`. A coordinate that never changes stays in its cell.
-void bound_errors(inout Ray ray, vec3 cell, float of_origin, float slack) {
+// Bounds what float32 gets wrong in a traversal through the volume, where the origin itself is wrong by `of_origin`,
+// and a t by `t_error`. A coordinate that never changes stays in its cell.
+void bound_errors(inout Ray ray, vec3 cell, float of_origin, float t_error) {
   vec3 half_size = 0.5f * vec3(VOLUME_SIZE);
   vec3 reach = abs(ray.origin - half_size) + half_size; // To the farther of the volume's two faces.
   float error = greatest_of(reach) * ROUNDINGS + of_origin;
-  if (COMES_NEAR || SETTLES)
-    error = min(error + 2.0f * slack, NEVER);
-  ray.slack = slack;
-  ray.lowest = mix(cell + 0.25f, ray.origin - error, ray.moves);
-  ray.doubt = 2.0f * error;
-  ray.certain = 1.0f - ray.doubt;
+  if (COMES_NEAR || EXACT_FALLBACK)
+    error = min(error + 2.0f * t_error, NEVER);
+  ray.t_error = t_error;
+  ray.origin_low = mix(cell + 0.25f, ray.origin - error, ray.moves);
+  ray.coordinate_error = 2.0f * error;
+  ray.cell_margin = 1.0f - ray.coordinate_error;
 }
 
 // True where the ray moves from a coordinate so close to 0 that it may pass that face before float32 says so, as scaled
@@ -711,9 +720,9 @@ void start_at(inout Ray ray, ivec3 cell, int axis, int face) {
   bound_errors(ray, vec3(cell), error, 2.0f * error * max(max(steep.x, steep.y), steep.z));
 }
 
-// Puts a walk into the cell that the ray comes to where it passes a face, in exact arithmetic. `cell` tells the
+// Puts a traversal into the cell that the ray comes to where it passes a face, in exact arithmetic. `cell` tells the
 // coordinates that never change.
-Walk behind_face(const Ray ray, Walk walk, ivec3 cell, int axis, int face) {
+Traversal behind_face(const Ray ray, Traversal traversal, ivec3 cell, int axis, int face) {
   Crossing crossing;
   crossing.t = (float(face) - ray.origin[axis]) * ray.inverse[axis] - ray.late[axis];
   crossing.axis = axis;
@@ -722,35 +731,35 @@ Walk behind_face(const Ray ray, Walk walk, ivec3 cell, int axis, int face) {
   Range range = Range(mix(cell, ivec3(-1), ray.moves), mix(cell, VOLUME_SIZE, ray.moves));
   range.most[axis] = face - (ray.falls[axis] ? 1 : 0);
   range.least[axis] = range.most[axis];
-  walk.cell = settle(ray, crossing, approximate_cell(ray, crossing, range));
-  walk.axis = axis;
-  return walk;
+  traversal.cell = resolve_cell(ray, crossing, approximate_cell(ray, crossing, range));
+  traversal.axis = axis;
+  return traversal;
 }
 
 // Finds the cell in which the ray enters the volume, in exact arithmetic: that of its origin, or through the last of
 // the faces that it must pass. A cell outside if there is none.
-OUT_OF_LINE Walk entered_exactly(inout Ray ray, Walk walk, bool starts_far) {
+OUT_OF_LINE Traversal entered_exactly(inout Ray ray, Traversal traversal, bool starts_far) {
   ivec3 cell = floor_of(ray.given_origin);
   ivec3 below = ivec3(lessThan(cell, ivec3(0)));
   ivec3 above = ivec3(greaterThanEqual(cell, VOLUME_SIZE));
   ivec3 enters = below * (ivec3(ray.moves) - ivec3(ray.falls)) + above * ivec3(ray.falls);
-  walk.cell = cell;
+  traversal.cell = cell;
   if (enters == ivec3(0) || enters != below + above)
-    return walk;
+    return traversal;
   ivec3 face = mix(ivec3(0), VOLUME_SIZE, ray.falls);
   int axis = last_entered(ray, greaterThan(enters, ivec3(0)), face);
   if (starts_far)
     start_at(ray, cell, axis, face[axis]);
-  return behind_face(ray, walk, cell, axis, face[axis]);
+  return behind_face(ray, traversal, cell, axis, face[axis]);
 }
 
 // The same by float32 or doubles, of an ordinary ray: it passes the last of these faces, or is past all of them. Not
-// sure if that cannot tell which face is the last, or which cell is behind it.
-Walk entered(const Ray ray, Walk walk, vec3 face, inout bool sure) {
+// sure if that cannot decide which face is the last, or which cell is behind it.
+Traversal entered(const Ray ray, Traversal traversal, vec3 face, inout bool sure) {
   // 2^48: a ray of a voxel a moment is past the volume by then, whatever enters last.
   const float LATEST = 281474976710656.0f;
   vec3 t = mix(vec3(-1.0f), times_of(ray, face), ray.moves); // A coordinate that never changes stays outside.
-  bool is_as_given = ray.slack == 0.0f; // Else it has come near, and does not begin here.
+  bool is_as_given = ray.t_error == 0.0f; // Else it has come near, and does not begin here.
   // From a last face, which is not in the volume, a ray enters at 0; its t is a 0 with a sign.
   vec3 last_face = mix(vec3(NEVER), face, ray.falls);
   bvec3 on_face = equal(ray.origin, is_as_given ? last_face : vec3(NEVER));
@@ -759,16 +768,16 @@ Walk entered(const Ray ray, Walk walk, vec3 face, inout bool sure) {
   float before = second_least_of(t);
   bvec3 passed = equal(t, vec3(latest));
   bool begins_here = !(latest > 0.0f) && is_as_given && !any(on_face);
-  vec3 point = mix(ray.lowest + latest * ray.direction, face + ray.beyond, passed);
+  vec3 point = mix(ray.origin_low + latest * ray.direction, face + ray.beyond, passed);
   point = begins_here ? ray.origin : point;
   vec3 whole = floor(point);
-  bool is_last = before < latest - (latest * ROUNDINGS + ray.slack);
-  bool is_certain = greatest_of(point - whole) < ray.certain;
+  bool is_last = before < latest - (latest * ROUNDINGS + ray.t_error);
+  bool is_certain = greatest_of(point - whole) < ray.cell_margin;
   bool is_sure = begins_here || (is_last && is_certain);
   sure = sure && is_sure;
-  walk.cell = ivec3(clamp(whole, -1.0f, 4194304.0f));
-  walk.axis = begins_here ? -1 : passed.x ? 0 : passed.y ? 1 : 2;
-  return walk;
+  traversal.cell = ivec3(clamp(whole, -1.0f, 4194304.0f));
+  traversal.axis = begins_here ? -1 : passed.x ? 0 : passed.y ? 1 : 2;
+  return traversal;
 }
 
 // True if a coordinate is past the volume, and goes on.
@@ -778,40 +787,40 @@ bool leaves_volume(const Ray ray) {
   return mix(above, below, ray.falls) != ivec3(0);
 }
 
-// Puts the walk into the first cell of the volume on the ray; false if there is none, or if the ray is left.
-bool enter_volume(inout Ray ray, inout Walk walk, bool ordinary) {
+// Puts the traversal into the first cell of the volume on the ray; false if there is none, or if the ray is left.
+bool enter_volume(inout Ray ray, inout Traversal traversal, bool ordinary) {
   if (COMES_NEAR && ordinary && leaves_volume(ray))
     return false;
   vec3 face = mix(vec3(0.0f), vec3(VOLUME_SIZE), ray.falls);
   vec3 cell = floor(ray.origin);
   Start near = come_near(ray, face);
-  if (SETTLES && !ordinary && any(starts_tiny(ray)))
-    near.slack = NEVER;
-  bound_errors(ray, cell, near.wrong, near.slack);
-  bool has_begun = is_in_volume(walk.cell) || walk.open >= 0;
-  if (SETTLES && has_begun && !near.is_far)
+  if (EXACT_FALLBACK && !ordinary && any(starts_tiny(ray)))
+    near.t_error = NEVER;
+  bound_errors(ray, cell, near.wrong, near.t_error);
+  bool has_begun = is_in_volume(traversal.cell) || traversal.pending_step >= 0;
+  if (EXACT_FALLBACK && has_begun && !near.is_far)
     return true; // Where it has entered need not be found again.
   bool sure = ordinary && !near.is_far;
-  Walk start = entered(ray, walk, face, sure);
-  if (SETTLES && !sure) {
+  Traversal start = entered(ray, traversal, face, sure);
+  if (EXACT_FALLBACK && !sure) {
     Ray moved = ray; // What a function may change by reference stands in memory; the ray itself need not.
-    start = entered_exactly(moved, walk, near.is_far);
+    start = entered_exactly(moved, traversal, near.is_far);
     ray = moved;
   }
-  if (!SETTLES && !sure) {
-    start = walk;
+  if (!EXACT_FALLBACK && !sure) {
+    start = traversal;
     start.cell = ivec3(-1);
-    start.open = AGAIN;
+    start.pending_step = RETRY;
   }
-  walk = start;
-  return is_in_volume(walk.cell);
+  traversal = start;
+  return is_in_volume(traversal.cell);
 }
 
-// A ray as given, made ready for walking.
+// A ray as given, made ready for the traversal.
 
 const float LEAST_COMPONENT = 1.0f / 1099511627776.0f / 1099511627776.0f; // 2^-80.
 
-// Most rays are ordinary: float32 walks with them as they are, and nothing overflows or is lost on the way. Their
+// Most rays are ordinary: float32 traverses with them as they are, and nothing overflows or is lost on the way. Their
 // direction is scaled without a rounding, all numbers of theirs are then 0 or at least 2^-80, and they begin within
 // 2^45 voxels, or near the volume if rays from far away are not moved. `longest` has the bits of the direction's
 // longest component, and `component` is the direction once it is scaled.
@@ -857,7 +866,7 @@ Ray prepare_ray(uvec3 origin, uvec3 direction, out bool ordinary) {
   vec3 component = uintBitsToFloat(direction) * uintBitsToFloat(0x7f000000u - (longest & INFINITY_BITS));
   component = mix(vec3(LEAST_COMPONENT), component, ray.moves);
   ordinary = is_ordinary(origin, longest, component);
-  if (SETTLES && !ordinary) {
+  if (EXACT_FALLBACK && !ordinary) {
     component = mix(vec3(1.0f), vec3(-1.0f), greaterThan(direction, uvec3(SIGN_BIT))) * scaled_exactly(size);
     component = mix(vec3(LEAST_COMPONENT), component, ray.moves);
   }
@@ -873,37 +882,37 @@ Ray prepare_ray(uvec3 origin, uvec3 direction, out bool ordinary) {
   return ray;
 }
 
-// From a ray to its walk, and the end of the walk.
+// From a ray to its traversal, and the end of the traversal.
 
 // A ray that goes nowhere can hit its own cell alone: it is let go anywhere, and takes no later hit.
 bool goes_nowhere(uvec3 direction) { return ((direction.x | direction.y | direction.z) & ~SIGN_BIT) == 0u; }
 
-// Makes a ray ready, and its walk too, if that has not begun. False if there is nothing to walk through, or if the ray
-// is left.
-bool begin_walk(uvec3 origin, uvec3 direction, uint root, out Ray ray, inout Walk walk) {
-  bool stays = SETTLES && goes_nowhere(direction);
+// Makes a ray ready, and its traversal too, if that has not begun. False if there is nothing to go through, or if the
+// ray is left.
+bool begin_traversal(uvec3 origin, uvec3 direction, uint root, out Ray ray, inout Traversal traversal) {
+  bool stays = EXACT_FALLBACK && goes_nowhere(direction);
   bool ordinary;
   ray = prepare_ray(origin, stays ? uvec3(floatBitsToUint(1.0f), 0u, 0u) : direction, ordinary);
   if (root == 0u)
     return false;
-  if (SETTLES && !(are_finite(origin) && are_finite(direction)))
+  if (EXACT_FALLBACK && !(are_finite(origin) && are_finite(direction)))
     return false;
-  Walk start = walk;
+  Traversal start = traversal;
   bool enters = enter_volume(ray, start, ordinary);
-  bool may_have_begun = SETTLES; // A dispatch that does not settle begins all its rays.
-  bool has_begun = may_have_begun && (is_in_volume(walk.cell) || walk.open != CLOSED);
+  bool may_have_begun = EXACT_FALLBACK; // A dispatch without the exact fallback begins all its rays.
+  bool has_begun = may_have_begun && (is_in_volume(traversal.cell) || traversal.pending_step != NO_PENDING_STEP);
   if (!enters || !has_begun)
-    walk = start;
+    traversal = start;
   return enters;
 }
 
-// What becomes of a hit: a ray that goes nowhere loses what is not in its own cell, once its walk has begun.
-bool end_walk(uvec3 origin, uvec3 direction, inout Walk walk, bool hit) {
-  bool may_stay = SETTLES; // Packets go on with rays that exact arithmetic has prepared.
-  if (!may_stay || !goes_nowhere(direction) || walk.open == AGAIN || walk.cell == floor_of(origin))
+// What becomes of a hit: a ray that goes nowhere loses what is not in its own cell, once its traversal has begun.
+bool end_traversal(uvec3 origin, uvec3 direction, inout Traversal traversal, bool hit) {
+  bool may_stay = EXACT_FALLBACK; // Packets go on with rays that exact arithmetic has prepared.
+  if (!may_stay || !goes_nowhere(direction) || traversal.pending_step == RETRY || traversal.cell == floor_of(origin))
     return hit;
-  walk.cell = ivec3(-1);
-  walk.open = CLOSED;
+  traversal.cell = ivec3(-1);
+  traversal.pending_step = NO_PENDING_STEP;
   return false;
 }
 
@@ -1032,7 +1041,7 @@ OUT_OF_LINE uint time_exactly(const Ray ray, int axis, int face) {
 }
 
 // The same, as fast as it can be told. Where a device promises little of its arithmetic, integers tell it of every hit:
-// a dispatch that does not settle would leave each of them to one that does.
+// a dispatch that does not resolve would defer each of them to one with it.
 uint crossing_time(const Ray ray, int axis, int face, out bool sure) {
   sure = false;
   uint bits = 0u;
@@ -1044,49 +1053,51 @@ uint crossing_time(const Ray ray, int axis, int face, out bool sure) {
 }
 
 // The face through which the ray entered its cell.
-int entered_face(const Ray ray, const Walk walk) { return walk.cell[walk.axis] + (ray.falls[walk.axis] ? 1 : 0); }
+int entered_face(const Ray ray, const Traversal traversal) {
+  return traversal.cell[traversal.axis] + (ray.falls[traversal.axis] ? 1 : 0);
+}
 
 // How a ray comes to the voxel that it hits.
 struct Arrival {
   uint t; // The bits of a float32.
 };
 
-// How the ray came to the walk's cell. Not sure where float32 or doubles cannot tell.
-Arrival arrival_at(const Ray ray, const Walk walk, bool hit, out bool sure) {
+// How the ray came to the traversal's cell. Not sure where float32 or doubles cannot decide.
+Arrival arrival_at(const Ray ray, const Traversal traversal, bool hit, out bool sure) {
   Arrival arrival;
   arrival.t = 0u;
   sure = true;
-  if (!hit || walk.axis < 0)
+  if (!hit || traversal.axis < 0)
     return arrival;
-  arrival.t = crossing_time(ray, walk.axis, entered_face(ray, walk), sure);
+  arrival.t = crossing_time(ray, traversal.axis, entered_face(ray, traversal), sure);
   return arrival;
 }
 
-// A single voxel: the walk has arrived.
-bool intersect_voxel(inout Walk walk, uint voxel) {
-  walk.voxel = voxel;
+// A single voxel: the traversal has arrived.
+bool intersect_voxel(inout Traversal traversal, uint voxel) {
+  traversal.voxel = voxel;
   return true;
 }
 
-// Goes on with a walk to its end, or until it is left.
-bool walk_on(const Ray ray, inout Walk walk, uint root) {
-  if (!SETTLES)
-    return is_in_volume(walk.cell) && intersect_level_1(ray, walk, root);
+// Goes on with a traversal to its end, or until it is left.
+bool continue_traversal(const Ray ray, inout Traversal traversal, uint root) {
+  if (!EXACT_FALLBACK)
+    return is_in_volume(traversal.cell) && intersect_level_1(ray, traversal, root);
   bool hit = false;
   bool is_under_way = true;
   while (is_under_way) {
-    while (walk.open >= 0)
-      settle_step(ray, walk);
-    // What was settled may have been the last step inside.
-    hit = is_in_volume(walk.cell) && intersect_level_1(ray, walk, root);
-    is_under_way = walk.open >= 0;
+    while (traversal.pending_step >= 0)
+      resolve_step(ray, traversal);
+    // What was resolved may have been the last step inside.
+    hit = is_in_volume(traversal.cell) && intersect_level_1(ray, traversal, root);
+    is_under_way = traversal.pending_step >= 0;
   }
   return hit;
 }
 
 // Rays and hits in their buffers. `at` is where the words of a hit begin: six for each ray.
 
-// What is stored of a ray: a hit, or where its walk was left.
+// What is stored of a ray: a hit, or where its traversal was left.
 struct HitWords {
   uvec3 voxel;
   uint rgba;
@@ -1115,37 +1126,39 @@ HitWords load_hit(uint at) {
   return HitWords(uvec3(first, second.x), second.y, third.x, third.y);
 }
 
-// From the buffers to a walk, and back.
+// From the buffers to a traversal, and back.
 
-// Whether a walk is where it may go on.
-bool is_under_way(const Walk walk) { return is_in_volume(walk.open >= 0 ? ~walk.cell : walk.cell); }
-
-// The walk of a ray that was left: -2 - cell in place of a voxel, what is open in place of its colour, its axis in
-// place of t. One of -1 has not begun.
-Walk left_walk(uint at) {
-  HitWords left = load_hit(at);
-  Walk walk = walk_at(-2 - ivec3(left.voxel));
-  walk.axis = int(left.t);
-  walk.open = max(int(left.rgba), CLOSED);
-  walk.cell = walk.open >= 0 ? ~walk.cell : walk.cell;
-  words_read = is_under_way(walk) ? left.last : 0u;
-  walk.lookups = words_read;
-  return walk;
+// Whether a traversal is where it may go on.
+bool is_under_way(const Traversal traversal) {
+  return is_in_volume(traversal.pending_step >= 0 ? ~traversal.cell : traversal.cell);
 }
 
-HitWords words_of_left(const Walk walk) {
-  ivec3 voxel = -2 - (walk.open >= 0 ? ~walk.cell : walk.cell);
-  uint count = COUNT_WORDS ? words_read : walk.lookups;
-  return HitWords(uvec3(voxel), uint(walk.open), uint(walk.axis), count);
+// The traversal of a ray that was left: -2 - cell in place of a voxel, what is open in place of its colour, its axis in
+// place of t. One of -1 has not begun.
+Traversal deferred_traversal(uint at) {
+  HitWords left = load_hit(at);
+  Traversal traversal = traversal_at(-2 - ivec3(left.voxel));
+  traversal.axis = int(left.t);
+  traversal.pending_step = max(int(left.rgba), NO_PENDING_STEP);
+  traversal.cell = traversal.pending_step >= 0 ? ~traversal.cell : traversal.cell;
+  words_read = is_under_way(traversal) ? left.last : 0u;
+  traversal.lookups = words_read;
+  return traversal;
+}
+
+HitWords words_of_deferred(const Traversal traversal) {
+  ivec3 voxel = -2 - (traversal.pending_step >= 0 ? ~traversal.cell : traversal.cell);
+  uint count = COUNT_WORDS ? words_read : traversal.lookups;
+  return HitWords(uvec3(voxel), uint(traversal.pending_step), uint(traversal.axis), count);
 }
 
 // A hit is its voxel, if that is asked. A miss is -1. One that would not have ended is told by a cell far below.
-HitWords words_of(const Walk walk, bool hit, const Arrival arrival) {
+HitWords words_of(const Traversal traversal, bool hit, const Arrival arrival) {
   HitWords words;
-  words.voxel = uvec3(hit ? walk.cell : ivec3(walk.steps_left < 0 ? -0x7fffffff : -1));
-  words.rgba = hit ? colour_of(walk) : 0u;
+  words.voxel = uvec3(hit ? traversal.cell : ivec3(traversal.steps_left < 0 ? -0x7fffffff : -1));
+  words.rgba = hit ? colour_of(traversal) : 0u;
   words.t = hit ? arrival.t : 0u;
-  words.last = COUNT_WORDS ? words_read : walk.lookups;
+  words.last = COUNT_WORDS ? words_read : traversal.lookups;
   return words;
 }
 
@@ -1161,51 +1174,52 @@ bool loops_are_whole() {
   return turns == wanted;
 }
 
-// Traces a ray, from where it was left if it `goes_on`. True if it is left, again.
+// Traces a ray, from where it was deferred if it `goes_on`. True if it is deferred, again.
 bool trace_ray(uint ray_number, bool goes_on) {
   uint at = 6u * ray_number;
-  Walk walk = walk_at(ivec3(-1));
+  Traversal traversal = traversal_at(ivec3(-1));
   if (goes_on)
-    walk = left_walk(at);
+    traversal = deferred_traversal(at);
   uvec3 direction = load_direction(at);
   uint root = load_word(0u); // Leads to level 1, unless the volume is empty.
   Ray ray;
   bool hit = false;
-  hit = begin_walk(load_origin(at), direction, root, ray, walk) && walk_on(ray, walk, root);
-  hit = end_walk(load_origin(at), direction, walk, hit);
+  hit = begin_traversal(load_origin(at), direction, root, ray, traversal) && continue_traversal(ray, traversal, root);
+  hit = end_traversal(load_origin(at), direction, traversal, hit);
   Arrival arrival;
   bool sure;
-  arrival = arrival_at(ray, walk, hit, sure);
-  walk.open = sure ? walk.open : AGAIN;
-  // A walk that is still inside the volume without a hit, or whose arrival may not be whole, was cut off by the device.
-  if (SETTLES && hit && !loops_are_whole())
+  arrival = arrival_at(ray, traversal, hit, sure);
+  traversal.pending_step = sure ? traversal.pending_step : RETRY;
+  // A traversal that is still inside the volume without a hit, or whose arrival may not be whole, was cut off by the
+  // device.
+  if (EXACT_FALLBACK && hit && !loops_are_whole())
     hit = false;
-  bool is_left = walk.open != CLOSED;
-  is_left = is_left || (!hit && is_in_volume(walk.cell));
-  HitWords words = words_of(walk, hit, arrival);
-  if (is_left)
-    words = words_of_left(walk);
+  bool is_deferred = traversal.pending_step != NO_PENDING_STEP;
+  is_deferred = is_deferred || (!hit && is_in_volume(traversal.cell));
+  HitWords words = words_of(traversal, hit, arrival);
+  if (is_deferred)
+    words = words_of_deferred(traversal);
   store_hit(at, words);
-  return is_left;
+  return is_deferred;
 }
 
-// Puts a ray on the list of those that are left.
-void leave(uint ray_number) {
-  uint place = atomicAdd(left_count, 1u);
-  left_rays[place] = ray_number;
+// Puts a ray on the list of those that are deferred.
+void defer(uint ray_number) {
+  uint place = atomicAdd(deferred_count, 1u);
+  deferred_rays[place] = ray_number;
   if (place % gl_WorkGroupSize.x == 0u)
-    atomicAdd(left_groups[0], 1u);
+    atomicAdd(deferred_groups[0], 1u);
 }
 
 void main() {
   uint number = gl_GlobalInvocationID.x;
-  bool goes_on = SETTLES && task != ALL; // A dispatch that does not settle begins all its rays.
-  bool is_listed = goes_on && task == LEFT_OVER;
-  if (number >= (is_listed ? left_count : ray_count))
+  bool goes_on = EXACT_FALLBACK && task != ALL; // A dispatch without the exact fallback begins all its rays.
+  bool is_listed = goes_on && task == DEFERRED;
+  if (number >= (is_listed ? deferred_count : ray_count))
     return;
-  uint ray_number = is_listed ? left_rays[number] : first_ray + number;
-  if (goes_on && task == CUT_OFF && int(load_hit(6u * ray_number).voxel.x) > -2)
+  uint ray_number = is_listed ? deferred_rays[number] : first_ray + number;
+  if (goes_on && task == TRUNCATED && int(load_hit(6u * ray_number).voxel.x) > -2)
     return;
-  if (trace_ray(ray_number, goes_on) && !SETTLES)
-    leave(ray_number);
+  if (trace_ray(ray_number, goes_on) && !EXACT_FALLBACK)
+    defer(ray_number);
 }

@@ -37,18 +37,18 @@ static inline uint voxc_s4_g5_child_level_1(const unsigned int *volume, uint nod
   return voxc_s4_g5_load_word(volume, node) + 2u * uint(bitCount(masks & ((1u << child) - 1u)));
 }
 
-// The layers of all levels, counted from the root. Of a level, the lowest that has a node around the walk's cell: a
-// leaf may stand above the others.
+// The layers of all levels, counted from the root. Of a level, the lowest that has a node around the traversal's cell:
+// a leaf may stand above the others.
 struct voxc_s4_g5_Lowest {
   int layer[2];
 };
 
 static inline void voxc_s4_g5_look_up_layer_level_2(const unsigned int *volume, ivec3 cell, uint &node, int &layer,
-    voxc_s4_g5_Gap &gap, uint &value) {
+    voxc_s4_g5_EmptySpan &span, uint &value) {
   bool leaf = false;
   int below = 8 - layer;
   node = voxc_s4_g5_child_level_2(volume, node, cell >> voxc_s4_g5_LEVEL_2_LOG2_CELL, below, leaf);
-  gap = voxc_s4_g5_Gap(voxc_s4_g5_LEVEL_2_LOG2_CELL + below, 1);
+  span = voxc_s4_g5_EmptySpan(voxc_s4_g5_LEVEL_2_LOG2_CELL + below, 1);
   if (node != 0u && !leaf) {
     layer++;
   } else if (node != 0u) {
@@ -66,12 +66,12 @@ static inline int voxc_s4_g5_common_layer_level_2(int highest) {
 }
 
 static inline void voxc_s4_g5_look_up_layer_level_1(const unsigned int *volume, ivec3 cell, uint &node, int &layer,
-    voxc_s4_g5_Lowest &lowest, voxc_s4_g5_Gap &gap, uint &value) {
+    voxc_s4_g5_Lowest &lowest, voxc_s4_g5_EmptySpan &span, uint &value) {
   if (layer < 4) {
     bool leaf = false;
     int below = 3 - layer;
     node = voxc_s4_g5_child_level_1(volume, node, cell >> voxc_s4_g5_LEVEL_1_LOG2_CELL, below, leaf);
-    gap = voxc_s4_g5_Gap(voxc_s4_g5_LEVEL_1_LOG2_CELL + below, 1);
+    span = voxc_s4_g5_EmptySpan(voxc_s4_g5_LEVEL_1_LOG2_CELL + below, 1);
     lowest.layer[0] = layer;
     if (node != 0u && !leaf) {
       layer++;
@@ -80,7 +80,7 @@ static inline void voxc_s4_g5_look_up_layer_level_1(const unsigned int *volume, 
       layer = 4;
     }
   } else {
-    voxc_s4_g5_look_up_layer_level_2(volume, cell, node, layer, gap, value);
+    voxc_s4_g5_look_up_layer_level_2(volume, cell, node, layer, span, value);
   }
 }
 
@@ -92,33 +92,33 @@ static inline int voxc_s4_g5_common_layer_level_1(int highest, const voxc_s4_g5_
   return highest < voxc_s4_g5_LEVEL_1_LOG2_CELL ? voxc_s4_g5_common_layer_level_2(highest) : layer;
 }
 
-// All levels in one loop. path[i] is the node in layer i around the walk's cell, counted from the root through all
+// All levels in one loop. path[i] is the node in layer i around the traversal's cell, counted from the root through all
 // levels; a step climbs only to the lowest node that has the old cell and the new.
 static inline bool voxc_s4_g5_intersect_level_1(const unsigned int *volume, const voxc_s4_g5_Ray &ray,
-    voxc_s4_g5_Walk &walk, uint root) {
+    voxc_s4_g5_Traversal &traversal, uint root) {
   uint path[9];
   path[0] = root;
   int layer = 0;
   voxc_s4_g5_Lowest lowest;
   lowest.layer[0] = 0;
   lowest.layer[1] = 0;
-  while (voxc_s4_g5_goes_on(walk)) {
+  while (voxc_s4_g5_goes_on(traversal)) {
     uint node = path[layer];
     uint value = 0u;
-    voxc_s4_g5_Gap gap = voxc_s4_g5_Gap(0, 1);
+    voxc_s4_g5_EmptySpan span = voxc_s4_g5_EmptySpan(0, 1);
     while (node != 0u) {
       path[layer] = node;
-      voxc_s4_g5_look_up_layer_level_1(volume, walk.cell, node, layer, lowest, gap, value);
+      voxc_s4_g5_look_up_layer_level_1(volume, traversal.cell, node, layer, lowest, span, value);
     }
     if (value != 0u) {
-      walk.voxel = value;
+      traversal.voxel = value;
       return true;
     }
-    ivec3 before = walk.cell;
+    ivec3 before = traversal.cell;
     bool is_empty = node == 0u; // Else the device ended the loop above, or one in it.
     if (is_empty)
-      voxc_s4_g5_step_over(ray, walk, gap);
-    ivec3 changed = before ^ walk.cell;
+      voxc_s4_g5_step_over(ray, traversal, span);
+    ivec3 changed = before ^ traversal.cell;
     int highest = findMSB(uint(changed.x | changed.y | changed.z));
     layer = min(layer, voxc_s4_g5_common_layer_level_1(highest, lowest));
   }
@@ -126,7 +126,7 @@ static inline bool voxc_s4_g5_intersect_level_1(const unsigned int *volume, cons
 }
 
 // What a voxel is: here its value is its colour.
-static inline uint voxc_s4_g5_colour_of(const unsigned int *volume, const voxc_s4_g5_Walk &walk) {
-  return voxc_s4_g5_load_word(volume, walk.voxel);
+static inline uint voxc_s4_g5_colour_of(const unsigned int *volume, const voxc_s4_g5_Traversal &traversal) {
+  return voxc_s4_g5_load_word(volume, traversal.voxel);
 }
 

@@ -37,18 +37,18 @@ uint voxc_s4_g5_child_level_1(VOXC_VOLUME volume, uint node, ivec3 cell, int hei
   return voxc_s4_g5_load_word(volume, node) + 2u * uint(bitCount(masks & ((1u << child) - 1u)));
 }
 
-// The layers of all levels, counted from the root. Of a level, the lowest that has a node around the walk's cell: a
-// leaf may stand above the others.
+// The layers of all levels, counted from the root. Of a level, the lowest that has a node around the traversal's cell:
+// a leaf may stand above the others.
 struct voxc_s4_g5_Lowest {
   int layer[2];
 };
 
 void voxc_s4_g5_look_up_layer_level_2(VOXC_VOLUME volume, ivec3 cell, inout uint node, inout int layer,
-    inout voxc_s4_g5_Gap gap, inout uint value) {
+    inout voxc_s4_g5_EmptySpan span, inout uint value) {
   bool leaf = false;
   int below = 8 - layer;
   node = voxc_s4_g5_child_level_2(volume, node, cell >> voxc_s4_g5_LEVEL_2_LOG2_CELL, below, leaf);
-  gap = voxc_s4_g5_Gap(voxc_s4_g5_LEVEL_2_LOG2_CELL + below, 1);
+  span = voxc_s4_g5_EmptySpan(voxc_s4_g5_LEVEL_2_LOG2_CELL + below, 1);
   if (node != 0u && !leaf) {
     layer++;
   } else if (node != 0u) {
@@ -66,12 +66,12 @@ int voxc_s4_g5_common_layer_level_2(int highest) {
 }
 
 void voxc_s4_g5_look_up_layer_level_1(VOXC_VOLUME volume, ivec3 cell, inout uint node, inout int layer,
-    inout voxc_s4_g5_Lowest lowest, inout voxc_s4_g5_Gap gap, inout uint value) {
+    inout voxc_s4_g5_Lowest lowest, inout voxc_s4_g5_EmptySpan span, inout uint value) {
   if (layer < 4) {
     bool leaf = false;
     int below = 3 - layer;
     node = voxc_s4_g5_child_level_1(volume, node, cell >> voxc_s4_g5_LEVEL_1_LOG2_CELL, below, leaf);
-    gap = voxc_s4_g5_Gap(voxc_s4_g5_LEVEL_1_LOG2_CELL + below, 1);
+    span = voxc_s4_g5_EmptySpan(voxc_s4_g5_LEVEL_1_LOG2_CELL + below, 1);
     lowest.layer[0] = layer;
     if (node != 0u && !leaf) {
       layer++;
@@ -80,7 +80,7 @@ void voxc_s4_g5_look_up_layer_level_1(VOXC_VOLUME volume, ivec3 cell, inout uint
       layer = 4;
     }
   } else {
-    voxc_s4_g5_look_up_layer_level_2(volume, cell, node, layer, gap, value);
+    voxc_s4_g5_look_up_layer_level_2(volume, cell, node, layer, span, value);
   }
 }
 
@@ -92,32 +92,33 @@ int voxc_s4_g5_common_layer_level_1(int highest, const voxc_s4_g5_Lowest lowest)
   return highest < voxc_s4_g5_LEVEL_1_LOG2_CELL ? voxc_s4_g5_common_layer_level_2(highest) : layer;
 }
 
-// All levels in one loop. path[i] is the node in layer i around the walk's cell, counted from the root through all
+// All levels in one loop. path[i] is the node in layer i around the traversal's cell, counted from the root through all
 // levels; a step climbs only to the lowest node that has the old cell and the new.
-bool voxc_s4_g5_intersect_level_1(VOXC_VOLUME volume, const voxc_s4_g5_Ray ray, inout voxc_s4_g5_Walk walk, uint root) {
+bool voxc_s4_g5_intersect_level_1(VOXC_VOLUME volume, const voxc_s4_g5_Ray ray, inout voxc_s4_g5_Traversal traversal,
+    uint root) {
   uint path[9];
   path[0] = root;
   int layer = 0;
   voxc_s4_g5_Lowest lowest;
   lowest.layer[0] = 0;
   lowest.layer[1] = 0;
-  while (voxc_s4_g5_goes_on(walk)) {
+  while (voxc_s4_g5_goes_on(traversal)) {
     uint node = path[layer];
     uint value = 0u;
-    voxc_s4_g5_Gap gap = voxc_s4_g5_Gap(0, 1);
+    voxc_s4_g5_EmptySpan span = voxc_s4_g5_EmptySpan(0, 1);
     while (node != 0u) {
       path[layer] = node;
-      voxc_s4_g5_look_up_layer_level_1(volume, walk.cell, node, layer, lowest, gap, value);
+      voxc_s4_g5_look_up_layer_level_1(volume, traversal.cell, node, layer, lowest, span, value);
     }
     if (value != 0u) {
-      walk.voxel = value;
+      traversal.voxel = value;
       return true;
     }
-    ivec3 before = walk.cell;
+    ivec3 before = traversal.cell;
     bool is_empty = node == 0u; // Else the device ended the loop above, or one in it.
     if (is_empty)
-      voxc_s4_g5_step_over(ray, walk, gap);
-    ivec3 changed = before ^ walk.cell;
+      voxc_s4_g5_step_over(ray, traversal, span);
+    ivec3 changed = before ^ traversal.cell;
     int highest = findMSB(uint(changed.x | changed.y | changed.z));
     layer = min(layer, voxc_s4_g5_common_layer_level_1(highest, lowest));
   }
@@ -125,7 +126,7 @@ bool voxc_s4_g5_intersect_level_1(VOXC_VOLUME volume, const voxc_s4_g5_Ray ray, 
 }
 
 // What a voxel is: here its value is its colour.
-uint voxc_s4_g5_colour_of(VOXC_VOLUME volume, const voxc_s4_g5_Walk walk) {
-  return voxc_s4_g5_load_word(volume, walk.voxel);
+uint voxc_s4_g5_colour_of(VOXC_VOLUME volume, const voxc_s4_g5_Traversal traversal) {
+  return voxc_s4_g5_load_word(volume, traversal.voxel);
 }
 

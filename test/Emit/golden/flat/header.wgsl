@@ -39,18 +39,18 @@ fn voxc_s4_g5_child_level_1(volume: u32, node: u32, cell: vec3<i32>, height: i32
   return voxc_s4_g5_load_word(volume, node) + 2u * countOneBits(masks & ((1u << u32(child)) - 1u));
 }
 
-// The layers of all levels, counted from the root. Of a level, the lowest that has a node around the walk's cell: a
-// leaf may stand above the others.
+// The layers of all levels, counted from the root. Of a level, the lowest that has a node around the traversal's cell:
+// a leaf may stand above the others.
 struct voxc_s4_g5_Lowest {
   layer: array<i32, 2>,
 }
 
 fn voxc_s4_g5_look_up_layer_level_2(volume: u32, cell: vec3<i32>, node: ptr<function, u32>, layer: ptr<function, i32>,
-    gap: ptr<function, voxc_s4_g5_Gap>, value: ptr<function, u32>) {
+    span: ptr<function, voxc_s4_g5_EmptySpan>, value: ptr<function, u32>) {
   var leaf: bool = false;
   let below = 8 - *layer;
   *node = voxc_s4_g5_child_level_2(volume, *node, cell >> vec3<u32>(u32(voxc_s4_g5_LEVEL_2_LOG2_CELL)), below, &leaf);
-  *gap = voxc_s4_g5_Gap(voxc_s4_g5_LEVEL_2_LOG2_CELL + below, 1);
+  *span = voxc_s4_g5_EmptySpan(voxc_s4_g5_LEVEL_2_LOG2_CELL + below, 1);
   if (*node != 0u && !leaf) {
     (*layer)++;
   } else if (*node != 0u) {
@@ -68,12 +68,12 @@ fn voxc_s4_g5_common_layer_level_2(highest: i32) -> i32 {
 }
 
 fn voxc_s4_g5_look_up_layer_level_1(volume: u32, cell: vec3<i32>, node: ptr<function, u32>, layer: ptr<function, i32>,
-    lowest: ptr<function, voxc_s4_g5_Lowest>, gap: ptr<function, voxc_s4_g5_Gap>, value: ptr<function, u32>) {
+    lowest: ptr<function, voxc_s4_g5_Lowest>, span: ptr<function, voxc_s4_g5_EmptySpan>, value: ptr<function, u32>) {
   if (*layer < 4) {
     var leaf: bool = false;
     let below = 3 - *layer;
     *node = voxc_s4_g5_child_level_1(volume, *node, cell >> vec3<u32>(u32(voxc_s4_g5_LEVEL_1_LOG2_CELL)), below, &leaf);
-    *gap = voxc_s4_g5_Gap(voxc_s4_g5_LEVEL_1_LOG2_CELL + below, 1);
+    *span = voxc_s4_g5_EmptySpan(voxc_s4_g5_LEVEL_1_LOG2_CELL + below, 1);
     (*lowest).layer[0] = *layer;
     if (*node != 0u && !leaf) {
       (*layer)++;
@@ -82,7 +82,7 @@ fn voxc_s4_g5_look_up_layer_level_1(volume: u32, cell: vec3<i32>, node: ptr<func
       *layer = 4;
     }
   } else {
-    voxc_s4_g5_look_up_layer_level_2(volume, cell, node, layer, gap, value);
+    voxc_s4_g5_look_up_layer_level_2(volume, cell, node, layer, span, value);
   }
 }
 
@@ -97,9 +97,9 @@ fn voxc_s4_g5_common_layer_level_1(highest: i32, lowest: voxc_s4_g5_Lowest) -> i
   return layer;
 }
 
-// All levels in one loop. path[i] is the node in layer i around the walk's cell, counted from the root through all
+// All levels in one loop. path[i] is the node in layer i around the traversal's cell, counted from the root through all
 // levels; a step climbs only to the lowest node that has the old cell and the new.
-fn voxc_s4_g5_intersect_level_1(volume: u32, ray: voxc_s4_g5_Ray, walk: ptr<function, voxc_s4_g5_Walk>,
+fn voxc_s4_g5_intersect_level_1(volume: u32, ray: voxc_s4_g5_Ray, traversal: ptr<function, voxc_s4_g5_Traversal>,
     root: u32) -> bool {
   var path: array<u32, 9>;
   path[0] = root;
@@ -107,24 +107,24 @@ fn voxc_s4_g5_intersect_level_1(volume: u32, ray: voxc_s4_g5_Ray, walk: ptr<func
   var lowest: voxc_s4_g5_Lowest;
   lowest.layer[0] = 0;
   lowest.layer[1] = 0;
-  while (voxc_s4_g5_goes_on(*walk)) {
+  while (voxc_s4_g5_goes_on(*traversal)) {
     var node: u32 = path[layer];
     var value: u32 = 0u;
-    var gap: voxc_s4_g5_Gap = voxc_s4_g5_Gap(0, 1);
+    var span: voxc_s4_g5_EmptySpan = voxc_s4_g5_EmptySpan(0, 1);
     while (node != 0u) {
       path[layer] = node;
-      voxc_s4_g5_look_up_layer_level_1(volume, (*walk).cell, &node, &layer, &lowest, &gap, &value);
+      voxc_s4_g5_look_up_layer_level_1(volume, (*traversal).cell, &node, &layer, &lowest, &span, &value);
     }
     if (value != 0u) {
-      (*walk).voxel = value;
+      (*traversal).voxel = value;
       return true;
     }
-    let before = (*walk).cell;
+    let before = (*traversal).cell;
     let is_empty = node == 0u; // Else the device ended the loop above, or one in it.
     if (is_empty) {
-      voxc_s4_g5_step_over_gap(ray, walk, gap);
+      voxc_s4_g5_step_over_emptyspan(ray, traversal, span);
     }
-    let changed = before ^ (*walk).cell;
+    let changed = before ^ (*traversal).cell;
     let highest = i32(firstLeadingBit(u32(changed.x | changed.y | changed.z)));
     layer = min(layer, voxc_s4_g5_common_layer_level_1(highest, lowest));
   }
@@ -132,5 +132,7 @@ fn voxc_s4_g5_intersect_level_1(volume: u32, ray: voxc_s4_g5_Ray, walk: ptr<func
 }
 
 // What a voxel is: here its value is its colour.
-fn voxc_s4_g5_colour_of(volume: u32, walk: voxc_s4_g5_Walk) -> u32 { return voxc_s4_g5_load_word(volume, walk.voxel); }
+fn voxc_s4_g5_colour_of(volume: u32, traversal: voxc_s4_g5_Traversal) -> u32 {
+  return voxc_s4_g5_load_word(volume, traversal.voxel);
+}
 

@@ -37,17 +37,17 @@ uint child_level_1(uint node, ivec3 cell, int height, out bool leaf) {
   return load_word(node) + 2u * uint(bitCount(masks & ((1u << child) - 1u)));
 }
 
-// The layers of all levels, counted from the root. Of a level, the lowest that has a node around the walk's cell: a
-// leaf may stand above the others.
+// The layers of all levels, counted from the root. Of a level, the lowest that has a node around the traversal's cell:
+// a leaf may stand above the others.
 struct Lowest {
   int layer[2];
 };
 
-void look_up_layer_level_2(ivec3 cell, inout uint node, inout int layer, inout Gap gap, inout uint value) {
+void look_up_layer_level_2(ivec3 cell, inout uint node, inout int layer, inout EmptySpan span, inout uint value) {
   bool leaf = false;
   int below = 8 - layer;
   node = child_level_2(node, cell >> LEVEL_2_LOG2_CELL, below, leaf);
-  gap = Gap(LEVEL_2_LOG2_CELL + below, 1);
+  span = EmptySpan(LEVEL_2_LOG2_CELL + below, 1);
   if (node != 0u && !leaf) {
     layer++;
   } else if (node != 0u) {
@@ -64,13 +64,13 @@ int common_layer_level_2(int highest) {
   return layer;
 }
 
-void look_up_layer_level_1(ivec3 cell, inout uint node, inout int layer, inout Lowest lowest, inout Gap gap,
+void look_up_layer_level_1(ivec3 cell, inout uint node, inout int layer, inout Lowest lowest, inout EmptySpan span,
     inout uint value) {
   if (layer < 4) {
     bool leaf = false;
     int below = 3 - layer;
     node = child_level_1(node, cell >> LEVEL_1_LOG2_CELL, below, leaf);
-    gap = Gap(LEVEL_1_LOG2_CELL + below, 1);
+    span = EmptySpan(LEVEL_1_LOG2_CELL + below, 1);
     lowest.layer[0] = layer;
     if (node != 0u && !leaf) {
       layer++;
@@ -79,7 +79,7 @@ void look_up_layer_level_1(ivec3 cell, inout uint node, inout int layer, inout L
       layer = 4;
     }
   } else {
-    look_up_layer_level_2(cell, node, layer, gap, value);
+    look_up_layer_level_2(cell, node, layer, span, value);
   }
 }
 
@@ -91,35 +91,35 @@ int common_layer_level_1(int highest, const Lowest lowest) {
   return highest < LEVEL_1_LOG2_CELL ? common_layer_level_2(highest) : layer;
 }
 
-// All levels in one loop. path[i] is the node in layer i around the walk's cell, counted from the root through all
+// All levels in one loop. path[i] is the node in layer i around the traversal's cell, counted from the root through all
 // levels; a step climbs only to the lowest node that has the old cell and the new.
 shared uint path_level_1[9][gl_WorkGroupSize.x];
 
-bool intersect_level_1(const Ray ray, inout Walk walk, uint root) {
+bool intersect_level_1(const Ray ray, inout Traversal traversal, uint root) {
   path_level_1[0][gl_LocalInvocationIndex] = root;
   int layer = 0;
   Lowest lowest;
   lowest.layer[0] = 0;
   lowest.layer[1] = 0;
-  while (goes_on(walk)) {
-    // Down to a voxel, or to the gap around the cell.
-    count_lookup(walk);
+  while (goes_on(traversal)) {
+    // Down to a voxel, or to the empty span around the cell.
+    count_lookup(traversal);
     uint node = path_level_1[layer][gl_LocalInvocationIndex];
     uint value = 0u;
-    Gap gap = Gap(0, 1);
+    EmptySpan span = EmptySpan(0, 1);
     while (node != 0u) {
       path_level_1[layer][gl_LocalInvocationIndex] = node;
-      look_up_layer_level_1(walk.cell, node, layer, lowest, gap, value);
+      look_up_layer_level_1(traversal.cell, node, layer, lowest, span, value);
     }
     if (value != 0u) {
-      walk.voxel = value;
+      traversal.voxel = value;
       return true;
     }
-    ivec3 before = walk.cell;
+    ivec3 before = traversal.cell;
     bool is_empty = node == 0u; // Else the device ended the loop above, or one in it.
     if (is_empty)
-      step_over(ray, walk, gap);
-    ivec3 changed = before ^ walk.cell;
+      step_over(ray, traversal, span);
+    ivec3 changed = before ^ traversal.cell;
     int highest = findMSB(uint(changed.x | changed.y | changed.z));
     layer = min(layer, common_layer_level_1(highest, lowest));
   }
@@ -127,5 +127,5 @@ bool intersect_level_1(const Ray ray, inout Walk walk, uint root) {
 }
 
 // What a voxel is: here its value is its colour.
-uint colour_of(const Walk walk) { return load_word(walk.voxel); }
+uint colour_of(const Traversal traversal) { return load_word(traversal.voxel); }
 

@@ -27,20 +27,20 @@ fn voxc_r3_3_3_r3_3_3_cell_level_2(volume: u32, grid: u32, cell: vec3<i32>) -> u
   return voxc_r3_3_3_r3_3_3_load_word(volume, granule, slot);
 }
 
-// Whether a walk is still in the sub-volume in which it began.
+// Whether a traversal is still in the sub-volume in which it began.
 fn voxc_r3_3_3_r3_3_3_within_level_2(begin: vec3<i32>, cell: vec3<i32>) -> bool {
   return voxc_r3_3_3_r3_3_3_is_same_cube(begin, cell, voxc_r3_3_3_r3_3_3_LEVEL_2_LOG2_SIDE);
 }
 
-fn voxc_r3_3_3_r3_3_3_intersect_level_2(volume: u32, ray: voxc_r3_3_3_r3_3_3_Ray, walk: ptr<function,
-    voxc_r3_3_3_r3_3_3_Walk>, grid: u32) -> bool {
-  let begin = (*walk).cell;
-  while (voxc_r3_3_3_r3_3_3_within_level_2(begin, (*walk).cell)) {
+fn voxc_r3_3_3_r3_3_3_intersect_level_2(volume: u32, ray: voxc_r3_3_3_r3_3_3_Ray, traversal: ptr<function,
+    voxc_r3_3_3_r3_3_3_Traversal>, grid: u32) -> bool {
+  let begin = (*traversal).cell;
+  while (voxc_r3_3_3_r3_3_3_within_level_2(begin, (*traversal).cell)) {
     let value = voxc_r3_3_3_r3_3_3_cell_level_2(volume, grid,
-        (*walk).cell >> vec3<u32>(u32(voxc_r3_3_3_r3_3_3_LEVEL_2_LOG2_CELL)));
+        (*traversal).cell >> vec3<u32>(u32(voxc_r3_3_3_r3_3_3_LEVEL_2_LOG2_CELL)));
     if (value == 0u) {
-      voxc_r3_3_3_r3_3_3_step_over_voxel(ray, walk);
-    } else if (voxc_r3_3_3_r3_3_3_intersect_voxel(walk, value)) {
+      voxc_r3_3_3_r3_3_3_step_over_voxel(ray, traversal);
+    } else if (voxc_r3_3_3_r3_3_3_intersect_voxel(traversal, value)) {
       return true;
     }
   }
@@ -72,15 +72,15 @@ fn voxc_r3_3_3_r3_3_3_cell_level_1(volume: u32, grid: u32, cell: vec3<i32>) -> u
   return voxc_r3_3_3_r3_3_3_load_word(volume, granule, slot);
 }
 
-fn voxc_r3_3_3_r3_3_3_intersect_level_1(volume: u32, ray: voxc_r3_3_3_r3_3_3_Ray, walk: ptr<function,
-    voxc_r3_3_3_r3_3_3_Walk>, grid: u32) -> bool {
-  while (voxc_r3_3_3_r3_3_3_goes_on(*walk)) {
-    let gap = voxc_r3_3_3_r3_3_3_Gap(voxc_r3_3_3_r3_3_3_LEVEL_1_LOG2_CELL, 1);
+fn voxc_r3_3_3_r3_3_3_intersect_level_1(volume: u32, ray: voxc_r3_3_3_r3_3_3_Ray, traversal: ptr<function,
+    voxc_r3_3_3_r3_3_3_Traversal>, grid: u32) -> bool {
+  while (voxc_r3_3_3_r3_3_3_goes_on(*traversal)) {
+    let span = voxc_r3_3_3_r3_3_3_EmptySpan(voxc_r3_3_3_r3_3_3_LEVEL_1_LOG2_CELL, 1);
     let value = voxc_r3_3_3_r3_3_3_cell_level_1(volume, grid,
-        (*walk).cell >> vec3<u32>(u32(voxc_r3_3_3_r3_3_3_LEVEL_1_LOG2_CELL)));
+        (*traversal).cell >> vec3<u32>(u32(voxc_r3_3_3_r3_3_3_LEVEL_1_LOG2_CELL)));
     if (value == 0u) {
-      voxc_r3_3_3_r3_3_3_step_over_gap(ray, walk, gap);
-    } else if (voxc_r3_3_3_r3_3_3_intersect_level_2(volume, ray, walk, value)) {
+      voxc_r3_3_3_r3_3_3_step_over_emptyspan(ray, traversal, span);
+    } else if (voxc_r3_3_3_r3_3_3_intersect_level_2(volume, ray, traversal, value)) {
       return true;
     }
   }
@@ -88,5 +88,5 @@ fn voxc_r3_3_3_r3_3_3_intersect_level_1(volume: u32, ray: voxc_r3_3_3_r3_3_3_Ray
 }
 
 // What a voxel is: here its value is its colour.
-fn voxc_r3_3_3_r3_3_3_colour_of(walk: voxc_r3_3_3_r3_3_3_Walk) -> u32 { return walk.voxel; }
+fn voxc_r3_3_3_r3_3_3_colour_of(traversal: voxc_r3_3_3_r3_3_3_Traversal) -> u32 { return traversal.voxel; }
 

@@ -33,25 +33,25 @@ uint voxc_s5_h2_2_2_probe_level_2(VOXC_VOLUME volume, uint table, ivec3 cell, ou
   return found;
 }
 
-// The same. The gap has no cells if the device cut the search short.
+// The same. The span has no cells if the device cut the search short.
 uint voxc_s5_h2_2_2_look_up_level_2(VOXC_VOLUME volume, uint table, ivec3 cell) {
   bool is_cut;
   return voxc_s5_h2_2_2_probe_level_2(volume, table, cell, is_cut);
 }
 
-// Whether a walk is still in the sub-volume in which it began.
+// Whether a traversal is still in the sub-volume in which it began.
 bool voxc_s5_h2_2_2_within_level_2(ivec3 begin, ivec3 cell) {
   return voxc_s5_h2_2_2_is_same_cube(begin, cell, voxc_s5_h2_2_2_LEVEL_2_LOG2_SIDE);
 }
 
-bool voxc_s5_h2_2_2_intersect_level_2(VOXC_VOLUME volume, const voxc_s5_h2_2_2_Ray ray, inout voxc_s5_h2_2_2_Walk walk,
-    uint grid) {
-  ivec3 begin = walk.cell;
-  while (voxc_s5_h2_2_2_within_level_2(begin, walk.cell)) {
-    uint value = voxc_s5_h2_2_2_look_up_level_2(volume, grid, walk.cell >> voxc_s5_h2_2_2_LEVEL_2_LOG2_CELL);
+bool voxc_s5_h2_2_2_intersect_level_2(VOXC_VOLUME volume, const voxc_s5_h2_2_2_Ray ray,
+    inout voxc_s5_h2_2_2_Traversal traversal, uint grid) {
+  ivec3 begin = traversal.cell;
+  while (voxc_s5_h2_2_2_within_level_2(begin, traversal.cell)) {
+    uint value = voxc_s5_h2_2_2_look_up_level_2(volume, grid, traversal.cell >> voxc_s5_h2_2_2_LEVEL_2_LOG2_CELL);
     if (value == 0u) {
-      voxc_s5_h2_2_2_step_over_voxel(ray, walk);
-    } else if (voxc_s5_h2_2_2_intersect_voxel(walk, value)) {
+      voxc_s5_h2_2_2_step_over_voxel(ray, traversal);
+    } else if (voxc_s5_h2_2_2_intersect_voxel(traversal, value)) {
       return true;
     }
   }
@@ -73,15 +73,15 @@ uint voxc_s5_h2_2_2_child_level_1(VOXC_VOLUME volume, uint node, ivec3 cell, int
   return voxc_s5_h2_2_2_load_word(volume, node) + 2u * uint(bitCount(masks & ((1u << child) - 1u)));
 }
 
-// path[i] is the node i layers above the cells around the walk's cell: a step climbs only to the ancestor of the old
-// cell and the new.
-bool voxc_s5_h2_2_2_intersect_level_1(VOXC_VOLUME volume, const voxc_s5_h2_2_2_Ray ray, inout voxc_s5_h2_2_2_Walk walk,
-    uint root) {
+// path[i] is the node i layers above the cells around the traversal's cell: a step climbs only to the ancestor of the
+// old cell and the new.
+bool voxc_s5_h2_2_2_intersect_level_1(VOXC_VOLUME volume, const voxc_s5_h2_2_2_Ray ray,
+    inout voxc_s5_h2_2_2_Traversal traversal, uint root) {
   uint path[voxc_s5_h2_2_2_LEVEL_1_DEPTH + 1];
   path[voxc_s5_h2_2_2_LEVEL_1_DEPTH] = root;
   int top = voxc_s5_h2_2_2_LEVEL_1_DEPTH;
   for (;;) {
-    ivec3 cell = walk.cell >> voxc_s5_h2_2_2_LEVEL_1_LOG2_CELL;
+    ivec3 cell = traversal.cell >> voxc_s5_h2_2_2_LEVEL_1_LOG2_CELL;
     uint node = path[top];
     int layer = top;
     bool leaf = false;
@@ -90,20 +90,20 @@ bool voxc_s5_h2_2_2_intersect_level_1(VOXC_VOLUME volume, const voxc_s5_h2_2_2_R
       layer--;
       node = voxc_s5_h2_2_2_child_level_1(volume, node, cell, layer, leaf);
     }
-    ivec3 before = walk.cell;
+    ivec3 before = traversal.cell;
     if (node == 0u)
-      voxc_s5_h2_2_2_step_over(ray, walk, voxc_s5_h2_2_2_LEVEL_1_LOG2_CELL + layer);
-    else if (leaf && voxc_s5_h2_2_2_intersect_level_2(volume, ray, walk, voxc_s5_h2_2_2_load_word(volume, node)))
+      voxc_s5_h2_2_2_step_over(ray, traversal, voxc_s5_h2_2_2_LEVEL_1_LOG2_CELL + layer);
+    else if (leaf && voxc_s5_h2_2_2_intersect_level_2(volume, ray, traversal, voxc_s5_h2_2_2_load_word(volume, node)))
       return true;
 
-    if (!voxc_s5_h2_2_2_goes_on(walk))
+    if (!voxc_s5_h2_2_2_goes_on(traversal))
       return false;
-    ivec3 changed = before ^ walk.cell;
+    ivec3 changed = before ^ traversal.cell;
     int highest = findMSB(uint(changed.x | changed.y | changed.z));
     top = max(layer, highest - voxc_s5_h2_2_2_LEVEL_1_LOG2_CELL) + 1;
   }
 }
 
 // What a voxel is: here its value is its colour.
-uint voxc_s5_h2_2_2_colour_of(const voxc_s5_h2_2_2_Walk walk) { return walk.voxel; }
+uint voxc_s5_h2_2_2_colour_of(const voxc_s5_h2_2_2_Traversal traversal) { return traversal.voxel; }
 

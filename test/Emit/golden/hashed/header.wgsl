@@ -33,26 +33,26 @@ fn voxc_s5_h2_2_2_probe_level_2(volume: u32, table: u32, cell: vec3<i32>, is_cut
   return found;
 }
 
-// The same. The gap has no cells if the device cut the search short.
+// The same. The span has no cells if the device cut the search short.
 fn voxc_s5_h2_2_2_look_up_level_2(volume: u32, table: u32, cell: vec3<i32>) -> u32 {
   var is_cut: bool;
   return voxc_s5_h2_2_2_probe_level_2(volume, table, cell, &is_cut);
 }
 
-// Whether a walk is still in the sub-volume in which it began.
+// Whether a traversal is still in the sub-volume in which it began.
 fn voxc_s5_h2_2_2_within_level_2(begin: vec3<i32>, cell: vec3<i32>) -> bool {
   return voxc_s5_h2_2_2_is_same_cube(begin, cell, voxc_s5_h2_2_2_LEVEL_2_LOG2_SIDE);
 }
 
-fn voxc_s5_h2_2_2_intersect_level_2(volume: u32, ray: voxc_s5_h2_2_2_Ray, walk: ptr<function, voxc_s5_h2_2_2_Walk>,
-    grid: u32) -> bool {
-  let begin = (*walk).cell;
-  while (voxc_s5_h2_2_2_within_level_2(begin, (*walk).cell)) {
+fn voxc_s5_h2_2_2_intersect_level_2(volume: u32, ray: voxc_s5_h2_2_2_Ray, traversal: ptr<function,
+    voxc_s5_h2_2_2_Traversal>, grid: u32) -> bool {
+  let begin = (*traversal).cell;
+  while (voxc_s5_h2_2_2_within_level_2(begin, (*traversal).cell)) {
     let value = voxc_s5_h2_2_2_look_up_level_2(volume, grid,
-        (*walk).cell >> vec3<u32>(u32(voxc_s5_h2_2_2_LEVEL_2_LOG2_CELL)));
+        (*traversal).cell >> vec3<u32>(u32(voxc_s5_h2_2_2_LEVEL_2_LOG2_CELL)));
     if (value == 0u) {
-      voxc_s5_h2_2_2_step_over_voxel(ray, walk);
-    } else if (voxc_s5_h2_2_2_intersect_voxel(walk, value)) {
+      voxc_s5_h2_2_2_step_over_voxel(ray, traversal);
+    } else if (voxc_s5_h2_2_2_intersect_voxel(traversal, value)) {
       return true;
     }
   }
@@ -76,15 +76,15 @@ fn voxc_s5_h2_2_2_child_level_1(volume: u32, node: u32, cell: vec3<i32>, height:
   return voxc_s5_h2_2_2_load_word(volume, node) + 2u * countOneBits(masks & ((1u << u32(child)) - 1u));
 }
 
-// path[i] is the node i layers above the cells around the walk's cell: a step climbs only to the ancestor of the old
-// cell and the new.
-fn voxc_s5_h2_2_2_intersect_level_1(volume: u32, ray: voxc_s5_h2_2_2_Ray, walk: ptr<function, voxc_s5_h2_2_2_Walk>,
-    root: u32) -> bool {
+// path[i] is the node i layers above the cells around the traversal's cell: a step climbs only to the ancestor of the
+// old cell and the new.
+fn voxc_s5_h2_2_2_intersect_level_1(volume: u32, ray: voxc_s5_h2_2_2_Ray, traversal: ptr<function,
+    voxc_s5_h2_2_2_Traversal>, root: u32) -> bool {
   var path: array<u32, voxc_s5_h2_2_2_LEVEL_1_DEPTH + 1>;
   path[voxc_s5_h2_2_2_LEVEL_1_DEPTH] = root;
   var top: i32 = voxc_s5_h2_2_2_LEVEL_1_DEPTH;
   for (;;) {
-    let cell = (*walk).cell >> vec3<u32>(u32(voxc_s5_h2_2_2_LEVEL_1_LOG2_CELL));
+    let cell = (*traversal).cell >> vec3<u32>(u32(voxc_s5_h2_2_2_LEVEL_1_LOG2_CELL));
     var node: u32 = path[top];
     var layer: i32 = top;
     var leaf: bool = false;
@@ -93,22 +93,23 @@ fn voxc_s5_h2_2_2_intersect_level_1(volume: u32, ray: voxc_s5_h2_2_2_Ray, walk: 
       layer--;
       node = voxc_s5_h2_2_2_child_level_1(volume, node, cell, layer, &leaf);
     }
-    let before = (*walk).cell;
+    let before = (*traversal).cell;
     if (node == 0u) {
-      voxc_s5_h2_2_2_step_over_int(ray, walk, voxc_s5_h2_2_2_LEVEL_1_LOG2_CELL + layer);
-    } else if (leaf && voxc_s5_h2_2_2_intersect_level_2(volume, ray, walk, voxc_s5_h2_2_2_load_word(volume, node))) {
+      voxc_s5_h2_2_2_step_over_int(ray, traversal, voxc_s5_h2_2_2_LEVEL_1_LOG2_CELL + layer);
+    } else if (leaf && voxc_s5_h2_2_2_intersect_level_2(volume, ray, traversal, voxc_s5_h2_2_2_load_word(volume,
+        node))) {
       return true;
     }
 
-    if (!voxc_s5_h2_2_2_goes_on(*walk)) {
+    if (!voxc_s5_h2_2_2_goes_on(*traversal)) {
       return false;
     }
-    let changed = before ^ (*walk).cell;
+    let changed = before ^ (*traversal).cell;
     let highest = i32(firstLeadingBit(u32(changed.x | changed.y | changed.z)));
     top = max(layer, highest - voxc_s5_h2_2_2_LEVEL_1_LOG2_CELL) + 1;
   }
 }
 
 // What a voxel is: here its value is its colour.
-fn voxc_s5_h2_2_2_colour_of(walk: voxc_s5_h2_2_2_Walk) -> u32 { return walk.voxel; }
+fn voxc_s5_h2_2_2_colour_of(traversal: voxc_s5_h2_2_2_Traversal) -> u32 { return traversal.voxel; }
 

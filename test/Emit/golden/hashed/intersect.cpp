@@ -32,23 +32,23 @@
     return found;
   }
 
-  // The same. The gap has no cells if the device cut the search short.
+  // The same. The span has no cells if the device cut the search short.
   uint look_up_level_2(uint table, ivec3 cell) {
     bool is_cut;
     return probe_level_2(table, cell, is_cut);
   }
 
-  // Whether a walk is still in the sub-volume in which it began.
+  // Whether a traversal is still in the sub-volume in which it began.
   bool within_level_2(ivec3 begin, ivec3 cell) { return is_same_cube(begin, cell, LEVEL_2_LOG2_SIDE); }
 
-  bool intersect_level_2(const Ray &ray, Walk &walk, uint grid) {
-    ivec3 begin = walk.cell;
-    while (within_level_2(begin, walk.cell)) {
-      count_lookup(walk);
-      uint value = look_up_level_2(grid, walk.cell >> LEVEL_2_LOG2_CELL);
+  bool intersect_level_2(const Ray &ray, Traversal &traversal, uint grid) {
+    ivec3 begin = traversal.cell;
+    while (within_level_2(begin, traversal.cell)) {
+      count_lookup(traversal);
+      uint value = look_up_level_2(grid, traversal.cell >> LEVEL_2_LOG2_CELL);
       if (value == 0u) {
-        step_over_voxel(ray, walk);
-      } else if (intersect_voxel(walk, value)) {
+        step_over_voxel(ray, traversal);
+      } else if (intersect_voxel(traversal, value)) {
         return true;
       }
     }
@@ -70,16 +70,16 @@
     return load_word(node) + 2u * uint(bitCount(masks & ((1u << child) - 1u)));
   }
 
-  // path[i] is the node i layers above the cells around the walk's cell: a step climbs only to the ancestor of the old
-  // cell and the new.
-  bool intersect_level_1(const Ray &ray, Walk &walk, uint root) {
+  // path[i] is the node i layers above the cells around the traversal's cell: a step climbs only to the ancestor of the
+  // old cell and the new.
+  bool intersect_level_1(const Ray &ray, Traversal &traversal, uint root) {
     uint path[LEVEL_1_DEPTH + 1];
     path[LEVEL_1_DEPTH] = root;
     int top = LEVEL_1_DEPTH;
     for (;;) {
       // Down to the leaf, or the empty child, `layer` layers above the cells.
-      count_lookup(walk);
-      ivec3 cell = walk.cell >> LEVEL_1_LOG2_CELL;
+      count_lookup(traversal);
+      ivec3 cell = traversal.cell >> LEVEL_1_LOG2_CELL;
       uint node = path[top];
       int layer = top;
       bool leaf = false;
@@ -88,20 +88,20 @@
         layer--;
         node = child_level_1(node, cell, layer, leaf);
       }
-      ivec3 before = walk.cell;
+      ivec3 before = traversal.cell;
       if (node == 0u)
-        step_over(ray, walk, LEVEL_1_LOG2_CELL + layer);
-      else if (leaf && intersect_level_2(ray, walk, load_word(node)))
+        step_over(ray, traversal, LEVEL_1_LOG2_CELL + layer);
+      else if (leaf && intersect_level_2(ray, traversal, load_word(node)))
         return true;
 
-      if (!goes_on(walk))
+      if (!goes_on(traversal))
         return false;
-      ivec3 changed = before ^ walk.cell;
+      ivec3 changed = before ^ traversal.cell;
       int highest = findMSB(uint(changed.x | changed.y | changed.z));
       top = max(layer, highest - LEVEL_1_LOG2_CELL) + 1;
     }
   }
 
   // What a voxel is: here its value is its colour.
-  uint colour_of(const Walk &walk) { return walk.voxel; }
+  uint colour_of(const Traversal &traversal) { return traversal.voxel; }
 

@@ -32,28 +32,28 @@ uint probe_level_2(uint table, ivec3 cell, out bool is_cut) {
   return found;
 }
 
-// The same. The gap has no cells if the device cut the search short.
-uint look_up_level_2(uint table, ivec3 cell, inout Gap gap) {
+// The same. The span has no cells if the device cut the search short.
+uint look_up_level_2(uint table, ivec3 cell, inout EmptySpan span) {
   bool is_cut;
   uint value = probe_level_2(table, cell, is_cut);
-  gap.count = is_cut ? 0 : 1;
+  span.count = is_cut ? 0 : 1;
   return value;
 }
 
-// Whether a walk is still in the sub-volume in which it began.
+// Whether a traversal is still in the sub-volume in which it began.
 bool within_level_2(ivec3 begin, ivec3 cell) { return is_same_cube(begin, cell, LEVEL_2_LOG2_SIDE); }
 
-bool intersect_level_2(const Ray ray, inout Walk walk, uint grid) {
-  ivec3 begin = walk.cell;
-  while (within_level_2(begin, walk.cell)) {
-    count_lookup(walk);
-    Gap gap = Gap(LEVEL_2_LOG2_CELL, 1);
-    uint value = look_up_level_2(grid, walk.cell >> LEVEL_2_LOG2_CELL, gap);
-    if (value == 0u && gap.count == 0)
+bool intersect_level_2(const Ray ray, inout Traversal traversal, uint grid) {
+  ivec3 begin = traversal.cell;
+  while (within_level_2(begin, traversal.cell)) {
+    count_lookup(traversal);
+    EmptySpan span = EmptySpan(LEVEL_2_LOG2_CELL, 1);
+    uint value = look_up_level_2(grid, traversal.cell >> LEVEL_2_LOG2_CELL, span);
+    if (value == 0u && span.count == 0)
       continue; // The device ended the look-up.
     if (value == 0u) {
-      step_over_voxel(ray, walk);
-    } else if (intersect_voxel(walk, value)) {
+      step_over_voxel(ray, traversal);
+    } else if (intersect_voxel(traversal, value)) {
       return true;
     }
   }
@@ -75,16 +75,16 @@ uint child_level_1(uint node, ivec3 cell, int height, out bool leaf) {
   return load_word(node) + 2u * uint(bitCount(masks & ((1u << child) - 1u)));
 }
 
-// path[i] is the node i layers above the cells around the walk's cell: a step climbs only to the ancestor of the old
-// cell and the new.
-bool intersect_level_1(const Ray ray, inout Walk walk, uint root) {
+// path[i] is the node i layers above the cells around the traversal's cell: a step climbs only to the ancestor of the
+// old cell and the new.
+bool intersect_level_1(const Ray ray, inout Traversal traversal, uint root) {
   uint path[LEVEL_1_DEPTH + 1];
   path[LEVEL_1_DEPTH] = root;
   int top = LEVEL_1_DEPTH;
   for (;;) {
     // Down to the leaf, or the empty child, `layer` layers above the cells.
-    count_lookup(walk);
-    ivec3 cell = walk.cell >> LEVEL_1_LOG2_CELL;
+    count_lookup(traversal);
+    ivec3 cell = traversal.cell >> LEVEL_1_LOG2_CELL;
     uint node = path[top];
     int layer = top;
     bool leaf = false;
@@ -93,20 +93,20 @@ bool intersect_level_1(const Ray ray, inout Walk walk, uint root) {
       layer--;
       node = child_level_1(node, cell, layer, leaf);
     }
-    ivec3 before = walk.cell;
+    ivec3 before = traversal.cell;
     if (node == 0u)
-      step_over(ray, walk, LEVEL_1_LOG2_CELL + layer);
-    else if (leaf && intersect_level_2(ray, walk, load_word(node)))
+      step_over(ray, traversal, LEVEL_1_LOG2_CELL + layer);
+    else if (leaf && intersect_level_2(ray, traversal, load_word(node)))
       return true;
 
-    if (!goes_on(walk))
+    if (!goes_on(traversal))
       return false;
-    ivec3 changed = before ^ walk.cell;
+    ivec3 changed = before ^ traversal.cell;
     int highest = findMSB(uint(changed.x | changed.y | changed.z));
     top = max(layer, highest - LEVEL_1_LOG2_CELL) + 1;
   }
 }
 
 // What a voxel is: here its value is its colour.
-uint colour_of(const Walk walk) { return walk.voxel; }
+uint colour_of(const Traversal traversal) { return traversal.voxel; }
 

@@ -28,19 +28,19 @@ static inline uint voxc_m4_4_4_m3_3_3_cell_level_2(const unsigned int *volume, u
   return voxc_m4_4_4_m3_3_3_value_of_slot_level_2(volume, grid, rank);
 }
 
-// Whether a walk is still in the sub-volume in which it began.
+// Whether a traversal is still in the sub-volume in which it began.
 static inline bool voxc_m4_4_4_m3_3_3_within_level_2(ivec3 begin, ivec3 cell) {
   return voxc_m4_4_4_m3_3_3_is_same_cube(begin, cell, voxc_m4_4_4_m3_3_3_LEVEL_2_LOG2_SIDE);
 }
 
 static inline bool voxc_m4_4_4_m3_3_3_intersect_level_2(const unsigned int *volume, const voxc_m4_4_4_m3_3_3_Ray &ray,
-    voxc_m4_4_4_m3_3_3_Walk &walk, uint grid) {
-  ivec3 begin = walk.cell;
-  while (voxc_m4_4_4_m3_3_3_within_level_2(begin, walk.cell)) {
-    uint value = voxc_m4_4_4_m3_3_3_cell_level_2(volume, grid, walk.cell >> voxc_m4_4_4_m3_3_3_LEVEL_2_LOG2_CELL);
+    voxc_m4_4_4_m3_3_3_Traversal &traversal, uint grid) {
+  ivec3 begin = traversal.cell;
+  while (voxc_m4_4_4_m3_3_3_within_level_2(begin, traversal.cell)) {
+    uint value = voxc_m4_4_4_m3_3_3_cell_level_2(volume, grid, traversal.cell >> voxc_m4_4_4_m3_3_3_LEVEL_2_LOG2_CELL);
     if (value == 0u) {
-      voxc_m4_4_4_m3_3_3_step_over_voxel(ray, walk);
-    } else if (voxc_m4_4_4_m3_3_3_intersect_voxel(walk, value)) {
+      voxc_m4_4_4_m3_3_3_step_over_voxel(ray, traversal);
+    } else if (voxc_m4_4_4_m3_3_3_intersect_voxel(traversal, value)) {
       return true;
     }
   }
@@ -75,13 +75,13 @@ static inline uint voxc_m4_4_4_m3_3_3_cell_level_1(const unsigned int *volume, u
 }
 
 static inline bool voxc_m4_4_4_m3_3_3_intersect_level_1(const unsigned int *volume, const voxc_m4_4_4_m3_3_3_Ray &ray,
-    voxc_m4_4_4_m3_3_3_Walk &walk, uint grid) {
-  while (voxc_m4_4_4_m3_3_3_goes_on(walk)) {
-    voxc_m4_4_4_m3_3_3_Gap gap = voxc_m4_4_4_m3_3_3_Gap(voxc_m4_4_4_m3_3_3_LEVEL_1_LOG2_CELL, 1);
-    uint value = voxc_m4_4_4_m3_3_3_cell_level_1(volume, grid, walk.cell >> voxc_m4_4_4_m3_3_3_LEVEL_1_LOG2_CELL);
+    voxc_m4_4_4_m3_3_3_Traversal &traversal, uint grid) {
+  while (voxc_m4_4_4_m3_3_3_goes_on(traversal)) {
+    voxc_m4_4_4_m3_3_3_EmptySpan span = voxc_m4_4_4_m3_3_3_EmptySpan(voxc_m4_4_4_m3_3_3_LEVEL_1_LOG2_CELL, 1);
+    uint value = voxc_m4_4_4_m3_3_3_cell_level_1(volume, grid, traversal.cell >> voxc_m4_4_4_m3_3_3_LEVEL_1_LOG2_CELL);
     if (value == 0u) {
-      voxc_m4_4_4_m3_3_3_step_over(ray, walk, gap);
-    } else if (voxc_m4_4_4_m3_3_3_intersect_level_2(volume, ray, walk, value)) {
+      voxc_m4_4_4_m3_3_3_step_over(ray, traversal, span);
+    } else if (voxc_m4_4_4_m3_3_3_intersect_level_2(volume, ray, traversal, value)) {
       return true;
     }
   }
@@ -89,5 +89,7 @@ static inline bool voxc_m4_4_4_m3_3_3_intersect_level_1(const unsigned int *volu
 }
 
 // What a voxel is: here its value is its colour.
-static inline uint voxc_m4_4_4_m3_3_3_colour_of(const voxc_m4_4_4_m3_3_3_Walk &walk) { return walk.voxel; }
+static inline uint voxc_m4_4_4_m3_3_3_colour_of(const voxc_m4_4_4_m3_3_3_Traversal &traversal) {
+  return traversal.voxel;
+}
 

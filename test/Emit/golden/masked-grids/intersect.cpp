@@ -25,17 +25,17 @@
     return value_of_slot_level_2(grid, rank);
   }
 
-  // Whether a walk is still in the sub-volume in which it began.
+  // Whether a traversal is still in the sub-volume in which it began.
   bool within_level_2(ivec3 begin, ivec3 cell) { return is_same_cube(begin, cell, LEVEL_2_LOG2_SIDE); }
 
-  bool intersect_level_2(const Ray &ray, Walk &walk, uint grid) {
-    ivec3 begin = walk.cell;
-    while (within_level_2(begin, walk.cell)) {
-      count_lookup(walk);
-      uint value = cell_level_2(grid, walk.cell >> LEVEL_2_LOG2_CELL);
+  bool intersect_level_2(const Ray &ray, Traversal &traversal, uint grid) {
+    ivec3 begin = traversal.cell;
+    while (within_level_2(begin, traversal.cell)) {
+      count_lookup(traversal);
+      uint value = cell_level_2(grid, traversal.cell >> LEVEL_2_LOG2_CELL);
       if (value == 0u) {
-        step_over_voxel(ray, walk);
-      } else if (intersect_voxel(walk, value)) {
+        step_over_voxel(ray, traversal);
+      } else if (intersect_voxel(traversal, value)) {
         return true;
       }
     }
@@ -66,14 +66,14 @@
     return value_of_slot_level_1(grid, rank);
   }
 
-  bool intersect_level_1(const Ray &ray, Walk &walk, uint grid) {
-    while (goes_on(walk)) {
-      count_lookup(walk);
-      Gap gap = Gap(LEVEL_1_LOG2_CELL, 1);
-      uint value = cell_level_1(grid, walk.cell >> LEVEL_1_LOG2_CELL);
+  bool intersect_level_1(const Ray &ray, Traversal &traversal, uint grid) {
+    while (goes_on(traversal)) {
+      count_lookup(traversal);
+      EmptySpan span = EmptySpan(LEVEL_1_LOG2_CELL, 1);
+      uint value = cell_level_1(grid, traversal.cell >> LEVEL_1_LOG2_CELL);
       if (value == 0u) {
-        step_over(ray, walk, gap);
-      } else if (intersect_level_2(ray, walk, value)) {
+        step_over(ray, traversal, span);
+      } else if (intersect_level_2(ray, traversal, value)) {
         return true;
       }
     }
@@ -81,5 +81,5 @@
   }
 
   // What a voxel is: here its value is its colour.
-  uint colour_of(const Walk &walk) { return walk.voxel; }
+  uint colour_of(const Traversal &traversal) { return traversal.voxel; }
 

@@ -27,14 +27,15 @@ uint voxc_g9_child_level_1(VOXC_VOLUME volume, uint node, ivec3 cell, int height
   return voxc_g9_load_word(volume, begin + 1u + slot) ^ (node & 0xe0000000u);
 }
 
-// path[i] is the node i layers above the cells around the walk's cell: a step climbs only to the ancestor of the old
-// cell and the new.
-bool voxc_g9_intersect_level_1(VOXC_VOLUME volume, const voxc_g9_Ray ray, inout voxc_g9_Walk walk, uint root) {
+// path[i] is the node i layers above the cells around the traversal's cell: a step climbs only to the ancestor of the
+// old cell and the new.
+bool voxc_g9_intersect_level_1(VOXC_VOLUME volume, const voxc_g9_Ray ray, inout voxc_g9_Traversal traversal,
+    uint root) {
   uint path[voxc_g9_LEVEL_1_DEPTH + 1];
   path[voxc_g9_LEVEL_1_DEPTH] = root;
   int top = voxc_g9_LEVEL_1_DEPTH;
   for (;;) {
-    ivec3 cell = walk.cell >> voxc_g9_LEVEL_1_LOG2_CELL;
+    ivec3 cell = traversal.cell >> voxc_g9_LEVEL_1_LOG2_CELL;
     uint node = path[top];
     int layer = top;
     bool leaf = false;
@@ -43,15 +44,15 @@ bool voxc_g9_intersect_level_1(VOXC_VOLUME volume, const voxc_g9_Ray ray, inout 
       layer--;
       node = voxc_g9_child_level_1(volume, node, cell, layer, leaf);
     }
-    ivec3 before = walk.cell;
+    ivec3 before = traversal.cell;
     if (node == 0u)
-      voxc_g9_step_over(ray, walk, voxc_g9_LEVEL_1_LOG2_CELL + layer);
+      voxc_g9_step_over(ray, traversal, voxc_g9_LEVEL_1_LOG2_CELL + layer);
     else if (leaf && voxc_g9_intersect_voxel())
       return true;
 
-    if (!voxc_g9_goes_on(walk))
+    if (!voxc_g9_goes_on(traversal))
       return false;
-    ivec3 changed = before ^ walk.cell;
+    ivec3 changed = before ^ traversal.cell;
     int highest = findMSB(uint(changed.x | changed.y | changed.z));
     top = max(layer, highest - voxc_g9_LEVEL_1_LOG2_CELL) + 1;
   }

@@ -29,14 +29,15 @@ fn voxc_g9_child_level_1(volume: u32, node: u32, cell: vec3<i32>, height: i32, l
   return voxc_g9_load_word(volume, begin + 1u + slot) ^ (node & 0xe0000000u);
 }
 
-// path[i] is the node i layers above the cells around the walk's cell: a step climbs only to the ancestor of the old
-// cell and the new.
-fn voxc_g9_intersect_level_1(volume: u32, ray: voxc_g9_Ray, walk: ptr<function, voxc_g9_Walk>, root: u32) -> bool {
+// path[i] is the node i layers above the cells around the traversal's cell: a step climbs only to the ancestor of the
+// old cell and the new.
+fn voxc_g9_intersect_level_1(volume: u32, ray: voxc_g9_Ray, traversal: ptr<function, voxc_g9_Traversal>,
+    root: u32) -> bool {
   var path: array<u32, voxc_g9_LEVEL_1_DEPTH + 1>;
   path[voxc_g9_LEVEL_1_DEPTH] = root;
   var top: i32 = voxc_g9_LEVEL_1_DEPTH;
   for (;;) {
-    let cell = (*walk).cell >> vec3<u32>(u32(voxc_g9_LEVEL_1_LOG2_CELL));
+    let cell = (*traversal).cell >> vec3<u32>(u32(voxc_g9_LEVEL_1_LOG2_CELL));
     var node: u32 = path[top];
     var layer: i32 = top;
     var leaf: bool = false;
@@ -45,17 +46,17 @@ fn voxc_g9_intersect_level_1(volume: u32, ray: voxc_g9_Ray, walk: ptr<function, 
       layer--;
       node = voxc_g9_child_level_1(volume, node, cell, layer, &leaf);
     }
-    let before = (*walk).cell;
+    let before = (*traversal).cell;
     if (node == 0u) {
-      voxc_g9_step_over_int(ray, walk, voxc_g9_LEVEL_1_LOG2_CELL + layer);
+      voxc_g9_step_over_int(ray, traversal, voxc_g9_LEVEL_1_LOG2_CELL + layer);
     } else if (leaf && voxc_g9_intersect_voxel()) {
       return true;
     }
 
-    if (!voxc_g9_goes_on(*walk)) {
+    if (!voxc_g9_goes_on(*traversal)) {
       return false;
     }
-    let changed = before ^ (*walk).cell;
+    let changed = before ^ (*traversal).cell;
     let highest = i32(firstLeadingBit(u32(changed.x | changed.y | changed.z)));
     top = max(layer, highest - voxc_g9_LEVEL_1_LOG2_CELL) + 1;
   }

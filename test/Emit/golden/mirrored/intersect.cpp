@@ -27,16 +27,16 @@
     return load_word(begin + 1u + slot) ^ (node & 0xe0000000u);
   }
 
-  // path[i] is the node i layers above the cells around the walk's cell: a step climbs only to the ancestor of the old
-  // cell and the new.
-  bool intersect_level_1(const Ray &ray, Walk &walk, uint root) {
+  // path[i] is the node i layers above the cells around the traversal's cell: a step climbs only to the ancestor of the
+  // old cell and the new.
+  bool intersect_level_1(const Ray &ray, Traversal &traversal, uint root) {
     uint path[LEVEL_1_DEPTH + 1];
     path[LEVEL_1_DEPTH] = root;
     int top = LEVEL_1_DEPTH;
     for (;;) {
       // Down to the leaf, or the empty child, `layer` layers above the cells.
-      count_lookup(walk);
-      ivec3 cell = walk.cell >> LEVEL_1_LOG2_CELL;
+      count_lookup(traversal);
+      ivec3 cell = traversal.cell >> LEVEL_1_LOG2_CELL;
       uint node = path[top];
       int layer = top;
       bool leaf = false;
@@ -45,20 +45,20 @@
         layer--;
         node = child_level_1(node, cell, layer, leaf);
       }
-      ivec3 before = walk.cell;
+      ivec3 before = traversal.cell;
       if (node == 0u)
-        step_over(ray, walk, LEVEL_1_LOG2_CELL + layer);
-      else if (leaf && intersect_voxel(walk, node))
+        step_over(ray, traversal, LEVEL_1_LOG2_CELL + layer);
+      else if (leaf && intersect_voxel(traversal, node))
         return true;
 
-      if (!goes_on(walk))
+      if (!goes_on(traversal))
         return false;
-      ivec3 changed = before ^ walk.cell;
+      ivec3 changed = before ^ traversal.cell;
       int highest = findMSB(uint(changed.x | changed.y | changed.z));
       top = max(layer, highest - LEVEL_1_LOG2_CELL) + 1;
     }
   }
 
   // What a voxel is: here nothing but that it is there, which is shown in white.
-  uint colour_of(const Walk &walk) { return 0xffffffffu; }
+  uint colour_of(const Traversal &traversal) { return 0xffffffffu; }
 

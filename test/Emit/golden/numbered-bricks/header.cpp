@@ -96,10 +96,10 @@ static inline uint voxc_m2_2_2_m2_2_2_m2_2_2_ahead_level_3(const voxc_m2_2_2_m2_
   return sides.x * (sides.y & 1u | (sides.y & 2u) << 1) * (sides.z & 1u | (sides.z & 2u) << 3);
 }
 
-// True if a cell is full. Else the gap is as wide as the octant around it, if that is empty, or as the grid, if nothing
-// is full to which the ray may still come: neither a cell of the octant nor any of the other octants.
+// True if a cell is full. Else the empty span is as wide as the octant around it, if that is empty, or as the grid, if
+// nothing is full to which the ray may still come: neither a cell of the octant nor any of the other octants.
 static inline bool voxc_m2_2_2_m2_2_2_m2_2_2_is_full_level_3(const unsigned int *volume,
-    const voxc_m2_2_2_m2_2_2_m2_2_2_Ray &ray, uint grid, ivec3 cell, voxc_m2_2_2_m2_2_2_m2_2_2_Gap &gap) {
+    const voxc_m2_2_2_m2_2_2_m2_2_2_Ray &ray, uint grid, ivec3 cell, voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan &span) {
   uint cells;
   uint octants = voxc_m2_2_2_m2_2_2_m2_2_2_octants_level_3(volume, grid, cells);
   ivec3 octant = cell >> 1 & 1;
@@ -108,39 +108,40 @@ static inline bool voxc_m2_2_2_m2_2_2_m2_2_2_is_full_level_3(const unsigned int 
       octant) & ~(1u << voxc_m2_2_2_m2_2_2_m2_2_2_place_level_3(octant));
   int around = own == 0u ? 1 : 0;
   around = (others | (own & voxc_m2_2_2_m2_2_2_m2_2_2_ahead_level_3(ray, cell & 1))) == 0u ? 2 : around;
-  gap.log2_side += around;
+  span.log2_side += around;
   return (own >> voxc_m2_2_2_m2_2_2_m2_2_2_place_level_3(cell & 1) & 1u) != 0u;
 }
 
 // The same, and the value of a cell that is full; 0 of one that is not.
 static inline uint voxc_m2_2_2_m2_2_2_m2_2_2_look_up_level_3(const unsigned int *volume,
-    const voxc_m2_2_2_m2_2_2_m2_2_2_Ray &ray, uint grid, ivec3 cell, voxc_m2_2_2_m2_2_2_m2_2_2_Gap &gap) {
+    const voxc_m2_2_2_m2_2_2_m2_2_2_Ray &ray, uint grid, ivec3 cell, voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan &span) {
   // Its value is looked up once it is hit.
-  return voxc_m2_2_2_m2_2_2_m2_2_2_is_full_level_3(volume, ray, grid, cell, gap) ? grid : 0u;
+  return voxc_m2_2_2_m2_2_2_m2_2_2_is_full_level_3(volume, ray, grid, cell, span) ? grid : 0u;
 }
 
 // The faces ahead of what a mask may tell to be empty. They are made before it is known which of these it is, since the
 // mask comes late: to choose is then all that is left to do.
 static inline vec3 voxc_m2_2_2_m2_2_2_m2_2_2_faces_level_3(const voxc_m2_2_2_m2_2_2_m2_2_2_Ray &ray, ivec3 cell,
-    const voxc_m2_2_2_m2_2_2_m2_2_2_Gap &gap) {
+    const voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan &span) {
   vec3 of_cell = vec3(voxc_m2_2_2_m2_2_2_m2_2_2_faces_ahead(ray, cell,
-      voxc_m2_2_2_m2_2_2_m2_2_2_Gap(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_3_LOG2_CELL, 1)));
+      voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_3_LOG2_CELL, 1)));
   vec3 of_group = vec3(voxc_m2_2_2_m2_2_2_m2_2_2_faces_ahead(ray, cell,
-      voxc_m2_2_2_m2_2_2_m2_2_2_Gap(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_3_LOG2_CELL + 1, 1)));
+      voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_3_LOG2_CELL + 1, 1)));
   vec3 of_grid = vec3(voxc_m2_2_2_m2_2_2_m2_2_2_faces_ahead(ray, cell,
-      voxc_m2_2_2_m2_2_2_m2_2_2_Gap(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_3_LOG2_CELL + 2, 1)));
-  return gap.log2_side == voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_3_LOG2_CELL ? of_cell
-      : gap.log2_side == voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_3_LOG2_CELL + 1 ? of_group : of_grid;
+      voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_3_LOG2_CELL + 2, 1)));
+  return span.log2_side == voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_3_LOG2_CELL ? of_cell
+      : span.log2_side == voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_3_LOG2_CELL + 1 ? of_group : of_grid;
 }
 
 // The voxel around a cell, from this grid down; 0, and what is empty there with its faces ahead, if there is none.
 static inline uint voxc_m2_2_2_m2_2_2_m2_2_2_locate_level_3(const unsigned int *volume,
-    const voxc_m2_2_2_m2_2_2_m2_2_2_Ray &ray, uint grid, ivec3 cell, voxc_m2_2_2_m2_2_2_m2_2_2_Gap &gap, vec3 &face) {
-  gap = voxc_m2_2_2_m2_2_2_m2_2_2_Gap(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_3_LOG2_CELL, 1);
+    const voxc_m2_2_2_m2_2_2_m2_2_2_Ray &ray, uint grid, ivec3 cell, voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan &span,
+    vec3 &face) {
+  span = voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_3_LOG2_CELL, 1);
   uint value = voxc_m2_2_2_m2_2_2_m2_2_2_look_up_level_3(volume, ray, grid,
-      cell >> voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_3_LOG2_CELL, gap);
+      cell >> voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_3_LOG2_CELL, span);
   if (value == 0u)
-    face = voxc_m2_2_2_m2_2_2_m2_2_2_faces_level_3(ray, cell, gap);
+    face = voxc_m2_2_2_m2_2_2_m2_2_2_faces_level_3(ray, cell, span);
   return value;
 }
 
@@ -230,10 +231,10 @@ static inline uint voxc_m2_2_2_m2_2_2_m2_2_2_value_level_2(const unsigned int *v
   return voxc_m2_2_2_m2_2_2_m2_2_2_value_of_slot_level_2(volume, grid, uint(rank));
 }
 
-// True if a cell is full. Else the gap is as wide as the aligned group of eight cells around it, if they are all empty,
-// or as the grid, if no cell is full that the ray may still come to.
+// True if a cell is full. Else the empty span is as wide as the aligned group of eight cells around it, if they are all
+// empty, or as the grid, if no cell is full that the ray may still come to.
 static inline bool voxc_m2_2_2_m2_2_2_m2_2_2_is_full_level_2(const unsigned int *volume,
-    const voxc_m2_2_2_m2_2_2_m2_2_2_Ray &ray, uint grid, ivec3 cell, voxc_m2_2_2_m2_2_2_m2_2_2_Gap &gap) {
+    const voxc_m2_2_2_m2_2_2_m2_2_2_Ray &ray, uint grid, ivec3 cell, voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan &span) {
   int number = voxc_m2_2_2_m2_2_2_m2_2_2_number_level_2(cell);
   uint low = voxc_m2_2_2_m2_2_2_m2_2_2_load_word(volume, grid);
   uint high = voxc_m2_2_2_m2_2_2_m2_2_2_load_word(volume, grid + 1u);
@@ -248,40 +249,41 @@ static inline bool voxc_m2_2_2_m2_2_2_m2_2_2_is_full_level_2(const unsigned int 
   uint low_ahead = plane * (sides.z & 1u | (sides.z & 2u) << 15);
   uint high_ahead = plane * (sides.z >> 2 & 1u | (sides.z & 8u) << 13);
   around = ((low & low_ahead) | (high & high_ahead)) == 0u ? 2 : around;
-  gap.log2_side += around;
+  span.log2_side += around;
   return (half_mask >> (number & 31) & 1u) != 0u;
 }
 
 // The same, and the value of a cell that is full; 0 of one that is not.
 static inline uint voxc_m2_2_2_m2_2_2_m2_2_2_look_up_level_2(const unsigned int *volume,
-    const voxc_m2_2_2_m2_2_2_m2_2_2_Ray &ray, uint grid, ivec3 cell, voxc_m2_2_2_m2_2_2_m2_2_2_Gap &gap) {
+    const voxc_m2_2_2_m2_2_2_m2_2_2_Ray &ray, uint grid, ivec3 cell, voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan &span) {
   return voxc_m2_2_2_m2_2_2_m2_2_2_is_full_level_2(volume, ray, grid, cell,
-      gap) ? voxc_m2_2_2_m2_2_2_m2_2_2_value_level_2(volume, grid, cell) : 0u;
+      span) ? voxc_m2_2_2_m2_2_2_m2_2_2_value_level_2(volume, grid, cell) : 0u;
 }
 
 // The faces ahead of what a mask may tell to be empty. They are made before it is known which of these it is, since the
 // mask comes late: to choose is then all that is left to do.
 static inline vec3 voxc_m2_2_2_m2_2_2_m2_2_2_faces_level_2(const voxc_m2_2_2_m2_2_2_m2_2_2_Ray &ray, ivec3 cell,
-    const voxc_m2_2_2_m2_2_2_m2_2_2_Gap &gap) {
+    const voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan &span) {
   vec3 of_cell = vec3(voxc_m2_2_2_m2_2_2_m2_2_2_faces_ahead(ray, cell,
-      voxc_m2_2_2_m2_2_2_m2_2_2_Gap(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL, 1)));
+      voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL, 1)));
   vec3 of_group = vec3(voxc_m2_2_2_m2_2_2_m2_2_2_faces_ahead(ray, cell,
-      voxc_m2_2_2_m2_2_2_m2_2_2_Gap(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL + 1, 1)));
+      voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL + 1, 1)));
   vec3 of_grid = vec3(voxc_m2_2_2_m2_2_2_m2_2_2_faces_ahead(ray, cell,
-      voxc_m2_2_2_m2_2_2_m2_2_2_Gap(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL + 2, 1)));
-  return gap.log2_side == voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL ? of_cell
-      : gap.log2_side == voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL + 1 ? of_group : of_grid;
+      voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL + 2, 1)));
+  return span.log2_side == voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL ? of_cell
+      : span.log2_side == voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL + 1 ? of_group : of_grid;
 }
 
 // The voxel around a cell, from this grid down; 0, and what is empty there with its faces ahead, if there is none.
 static inline uint voxc_m2_2_2_m2_2_2_m2_2_2_locate_level_2(const unsigned int *volume,
-    const voxc_m2_2_2_m2_2_2_m2_2_2_Ray &ray, uint grid, ivec3 cell, voxc_m2_2_2_m2_2_2_m2_2_2_Gap &gap, vec3 &face) {
-  gap = voxc_m2_2_2_m2_2_2_m2_2_2_Gap(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL, 1);
+    const voxc_m2_2_2_m2_2_2_m2_2_2_Ray &ray, uint grid, ivec3 cell, voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan &span,
+    vec3 &face) {
+  span = voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL, 1);
   uint value = voxc_m2_2_2_m2_2_2_m2_2_2_look_up_level_2(volume, ray, grid,
-      cell >> voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL, gap);
+      cell >> voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL, span);
   if (value == 0u)
-    face = voxc_m2_2_2_m2_2_2_m2_2_2_faces_level_2(ray, cell, gap);
-  return value == 0u ? 0u : voxc_m2_2_2_m2_2_2_m2_2_2_locate_level_3(volume, ray, value, cell, gap, face);
+    face = voxc_m2_2_2_m2_2_2_m2_2_2_faces_level_2(ray, cell, span);
+  return value == 0u ? 0u : voxc_m2_2_2_m2_2_2_m2_2_2_locate_level_3(volume, ray, value, cell, span, face);
 }
 
 // Level 1: masked, 4 x 4 x 4 cells of 16 voxels a side.
@@ -329,10 +331,10 @@ static inline uint voxc_m2_2_2_m2_2_2_m2_2_2_value_level_1(const unsigned int *v
   return voxc_m2_2_2_m2_2_2_m2_2_2_value_of_slot_level_1(volume, grid, uint(rank));
 }
 
-// True if a cell is full. Else the gap is as wide as the aligned group of eight cells around it, if they are all empty,
-// or as the grid, if no cell is full that the ray may still come to.
+// True if a cell is full. Else the empty span is as wide as the aligned group of eight cells around it, if they are all
+// empty, or as the grid, if no cell is full that the ray may still come to.
 static inline bool voxc_m2_2_2_m2_2_2_m2_2_2_is_full_level_1(const unsigned int *volume,
-    const voxc_m2_2_2_m2_2_2_m2_2_2_Ray &ray, uint grid, ivec3 cell, voxc_m2_2_2_m2_2_2_m2_2_2_Gap &gap) {
+    const voxc_m2_2_2_m2_2_2_m2_2_2_Ray &ray, uint grid, ivec3 cell, voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan &span) {
   int number = voxc_m2_2_2_m2_2_2_m2_2_2_number_level_1(cell);
   uint low = voxc_m2_2_2_m2_2_2_m2_2_2_load_word(volume, grid);
   uint high = voxc_m2_2_2_m2_2_2_m2_2_2_load_word(volume, grid + 1u);
@@ -347,66 +349,67 @@ static inline bool voxc_m2_2_2_m2_2_2_m2_2_2_is_full_level_1(const unsigned int 
   uint low_ahead = plane * (sides.z & 1u | (sides.z & 2u) << 15);
   uint high_ahead = plane * (sides.z >> 2 & 1u | (sides.z & 8u) << 13);
   around = ((low & low_ahead) | (high & high_ahead)) == 0u ? 2 : around;
-  gap.log2_side += around;
+  span.log2_side += around;
   return (half_mask >> (number & 31) & 1u) != 0u;
 }
 
 // The same, and the value of a cell that is full; 0 of one that is not.
 static inline uint voxc_m2_2_2_m2_2_2_m2_2_2_look_up_level_1(const unsigned int *volume,
-    const voxc_m2_2_2_m2_2_2_m2_2_2_Ray &ray, uint grid, ivec3 cell, voxc_m2_2_2_m2_2_2_m2_2_2_Gap &gap) {
+    const voxc_m2_2_2_m2_2_2_m2_2_2_Ray &ray, uint grid, ivec3 cell, voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan &span) {
   return voxc_m2_2_2_m2_2_2_m2_2_2_is_full_level_1(volume, ray, grid, cell,
-      gap) ? voxc_m2_2_2_m2_2_2_m2_2_2_value_level_1(volume, grid, cell) : 0u;
+      span) ? voxc_m2_2_2_m2_2_2_m2_2_2_value_level_1(volume, grid, cell) : 0u;
 }
 
 // The faces ahead of what a mask may tell to be empty. They are made before it is known which of these it is, since the
 // mask comes late: to choose is then all that is left to do.
 static inline vec3 voxc_m2_2_2_m2_2_2_m2_2_2_faces_level_1(const voxc_m2_2_2_m2_2_2_m2_2_2_Ray &ray, ivec3 cell,
-    const voxc_m2_2_2_m2_2_2_m2_2_2_Gap &gap) {
+    const voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan &span) {
   vec3 of_cell = vec3(voxc_m2_2_2_m2_2_2_m2_2_2_faces_ahead(ray, cell,
-      voxc_m2_2_2_m2_2_2_m2_2_2_Gap(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL, 1)));
+      voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL, 1)));
   vec3 of_group = vec3(voxc_m2_2_2_m2_2_2_m2_2_2_faces_ahead(ray, cell,
-      voxc_m2_2_2_m2_2_2_m2_2_2_Gap(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL + 1, 1)));
+      voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL + 1, 1)));
   vec3 of_grid = vec3(voxc_m2_2_2_m2_2_2_m2_2_2_faces_ahead(ray, cell,
-      voxc_m2_2_2_m2_2_2_m2_2_2_Gap(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL + 2, 1)));
-  return gap.log2_side == voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL ? of_cell
-      : gap.log2_side == voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL + 1 ? of_group : of_grid;
+      voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL + 2, 1)));
+  return span.log2_side == voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL ? of_cell
+      : span.log2_side == voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL + 1 ? of_group : of_grid;
 }
 
 // The voxel around a cell, from this grid down; 0, and what is empty there with its faces ahead, if there is none.
 static inline uint voxc_m2_2_2_m2_2_2_m2_2_2_locate_level_1(const unsigned int *volume,
-    const voxc_m2_2_2_m2_2_2_m2_2_2_Ray &ray, uint grid, ivec3 cell, voxc_m2_2_2_m2_2_2_m2_2_2_Gap &gap, vec3 &face) {
-  gap = voxc_m2_2_2_m2_2_2_m2_2_2_Gap(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL, 1);
+    const voxc_m2_2_2_m2_2_2_m2_2_2_Ray &ray, uint grid, ivec3 cell, voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan &span,
+    vec3 &face) {
+  span = voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL, 1);
   uint value = voxc_m2_2_2_m2_2_2_m2_2_2_look_up_level_1(volume, ray, grid,
-      cell >> voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL, gap);
+      cell >> voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL, span);
   if (value == 0u)
-    face = voxc_m2_2_2_m2_2_2_m2_2_2_faces_level_1(ray, cell, gap);
-  return value == 0u ? 0u : voxc_m2_2_2_m2_2_2_m2_2_2_locate_level_2(volume, ray, value, cell, gap, face);
+    face = voxc_m2_2_2_m2_2_2_m2_2_2_faces_level_1(ray, cell, span);
+  return value == 0u ? 0u : voxc_m2_2_2_m2_2_2_m2_2_2_locate_level_2(volume, ray, value, cell, span, face);
 }
 
-// One loop. Each turn looks at the walk's cell from the root on, through all levels.
+// One loop. Each turn looks at the traversal's cell from the root on, through all levels.
 static inline bool voxc_m2_2_2_m2_2_2_m2_2_2_intersect_level_1(const unsigned int *volume,
-    const voxc_m2_2_2_m2_2_2_m2_2_2_Ray &ray, voxc_m2_2_2_m2_2_2_m2_2_2_Walk &walk, uint root) {
-  ivec3 before = walk.cell;
-  while (voxc_m2_2_2_m2_2_2_m2_2_2_goes_on(walk)) {
-    voxc_m2_2_2_m2_2_2_m2_2_2_Gap gap = voxc_m2_2_2_m2_2_2_m2_2_2_Gap(0, 1);
+    const voxc_m2_2_2_m2_2_2_m2_2_2_Ray &ray, voxc_m2_2_2_m2_2_2_m2_2_2_Traversal &traversal, uint root) {
+  ivec3 before = traversal.cell;
+  while (voxc_m2_2_2_m2_2_2_m2_2_2_goes_on(traversal)) {
+    voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan span = voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan(0, 1);
     vec3 face = vec3(0);
-    uint value = voxc_m2_2_2_m2_2_2_m2_2_2_locate_level_1(volume, ray, root, walk.cell, gap, face);
+    uint value = voxc_m2_2_2_m2_2_2_m2_2_2_locate_level_1(volume, ray, root, traversal.cell, span, face);
     if (value != 0u) {
       return true;
     }
-    before = walk.cell;
-    voxc_m2_2_2_m2_2_2_m2_2_2_step_over(ray, walk, gap, face);
+    before = traversal.cell;
+    voxc_m2_2_2_m2_2_2_m2_2_2_step_over(ray, traversal, span, face);
   }
-  voxc_m2_2_2_m2_2_2_m2_2_2_put_outside(walk, before);
+  voxc_m2_2_2_m2_2_2_m2_2_2_put_outside(traversal, before);
   return false;
 }
 
-// How many voxels of the grid come before one. Where walks stop above voxels, one may not be there.
+// How many voxels of the grid come before one. Where traversals stop above voxels, one may not be there.
 static inline uint voxc_m2_2_2_m2_2_2_m2_2_2_rank_level_3(const unsigned int *volume, uint grid, ivec3 voxel) {
   return voxc_m2_2_2_m2_2_2_m2_2_2_voxels_before_level_3(volume, grid, voxel);
 }
 
-// How many voxels of the grid come before one. Where walks stop above voxels, one may not be there.
+// How many voxels of the grid come before one. Where traversals stop above voxels, one may not be there.
 static inline uint voxc_m2_2_2_m2_2_2_m2_2_2_rank_level_2(const unsigned int *volume, uint grid, ivec3 voxel) {
   uint rank = 0u;
   uint value = voxc_m2_2_2_m2_2_2_m2_2_2_ranked_value_level_2(volume, grid,
@@ -414,7 +417,7 @@ static inline uint voxc_m2_2_2_m2_2_2_m2_2_2_rank_level_2(const unsigned int *vo
   return rank + voxc_m2_2_2_m2_2_2_m2_2_2_rank_level_3(volume, value, voxel);
 }
 
-// How many voxels of the grid come before one. Where walks stop above voxels, one may not be there.
+// How many voxels of the grid come before one. Where traversals stop above voxels, one may not be there.
 static inline uint voxc_m2_2_2_m2_2_2_m2_2_2_rank_level_1(const unsigned int *volume, uint grid, ivec3 voxel) {
   uint rank = 0u;
   uint value = voxc_m2_2_2_m2_2_2_m2_2_2_ranked_value_level_1(volume, grid,
@@ -491,8 +494,8 @@ static inline uint voxc_m2_2_2_m2_2_2_m2_2_2_value_of_rank(const unsigned int *v
 
 // What a voxel is: here its value is its colour.
 static inline uint voxc_m2_2_2_m2_2_2_m2_2_2_colour_of(const unsigned int *volume,
-    const voxc_m2_2_2_m2_2_2_m2_2_2_Walk &walk) {
+    const voxc_m2_2_2_m2_2_2_m2_2_2_Traversal &traversal) {
   return voxc_m2_2_2_m2_2_2_m2_2_2_value_of_rank(volume, voxc_m2_2_2_m2_2_2_m2_2_2_rank_level_1(volume,
-      voxc_m2_2_2_m2_2_2_m2_2_2_load_word(volume, 0u), walk.cell));
+      voxc_m2_2_2_m2_2_2_m2_2_2_load_word(volume, 0u), traversal.cell));
 }
 

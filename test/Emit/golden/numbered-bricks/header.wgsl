@@ -103,10 +103,10 @@ fn voxc_m2_2_2_m2_2_2_m2_2_2_ahead_level_3(ray: voxc_m2_2_2_m2_2_2_m2_2_2_Ray, p
   return sides.x * ((sides.y & 1u) | ((sides.y & 2u) << 1u)) * ((sides.z & 1u) | ((sides.z & 2u) << 3u));
 }
 
-// True if a cell is full. Else the gap is as wide as the octant around it, if that is empty, or as the grid, if nothing
-// is full to which the ray may still come: neither a cell of the octant nor any of the other octants.
+// True if a cell is full. Else the empty span is as wide as the octant around it, if that is empty, or as the grid, if
+// nothing is full to which the ray may still come: neither a cell of the octant nor any of the other octants.
 fn voxc_m2_2_2_m2_2_2_m2_2_2_is_full_level_3(volume: u32, ray: voxc_m2_2_2_m2_2_2_m2_2_2_Ray, grid: u32,
-    cell: vec3<i32>, gap: ptr<function, voxc_m2_2_2_m2_2_2_m2_2_2_Gap>) -> bool {
+    cell: vec3<i32>, span: ptr<function, voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan>) -> bool {
   var cells: u32;
   let octants = voxc_m2_2_2_m2_2_2_m2_2_2_octants_level_3(volume, grid, &cells);
   let octant = (cell >> vec3<u32>(1u)) & vec3<i32>(1);
@@ -116,39 +116,39 @@ fn voxc_m2_2_2_m2_2_2_m2_2_2_is_full_level_3(volume: u32, ray: voxc_m2_2_2_m2_2_
   var around: i32 = select(0, 1, own == 0u);
   around = select(around, 2, (others | (own & voxc_m2_2_2_m2_2_2_m2_2_2_ahead_level_3(ray,
       cell & vec3<i32>(1)))) == 0u);
-  (*gap).log2_side += around;
+  (*span).log2_side += around;
   return ((own >> u32(voxc_m2_2_2_m2_2_2_m2_2_2_place_level_3(cell & vec3<i32>(1)))) & 1u) != 0u;
 }
 
 // The same, and the value of a cell that is full; 0 of one that is not.
 fn voxc_m2_2_2_m2_2_2_m2_2_2_look_up_level_3(volume: u32, ray: voxc_m2_2_2_m2_2_2_m2_2_2_Ray, grid: u32,
-    cell: vec3<i32>, gap: ptr<function, voxc_m2_2_2_m2_2_2_m2_2_2_Gap>) -> u32 {
+    cell: vec3<i32>, span: ptr<function, voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan>) -> u32 {
   // Its value is looked up once it is hit.
-  return select(0u, grid, voxc_m2_2_2_m2_2_2_m2_2_2_is_full_level_3(volume, ray, grid, cell, gap));
+  return select(0u, grid, voxc_m2_2_2_m2_2_2_m2_2_2_is_full_level_3(volume, ray, grid, cell, span));
 }
 
 // The faces ahead of what a mask may tell to be empty. They are made before it is known which of these it is, since the
 // mask comes late: to choose is then all that is left to do.
 fn voxc_m2_2_2_m2_2_2_m2_2_2_faces_level_3(ray: voxc_m2_2_2_m2_2_2_m2_2_2_Ray, cell: vec3<i32>,
-    gap: voxc_m2_2_2_m2_2_2_m2_2_2_Gap) -> vec3<f32> {
+    span: voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan) -> vec3<f32> {
   let of_cell = vec3<f32>(voxc_m2_2_2_m2_2_2_m2_2_2_faces_ahead(ray, cell,
-      voxc_m2_2_2_m2_2_2_m2_2_2_Gap(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_3_LOG2_CELL, 1)));
+      voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_3_LOG2_CELL, 1)));
   let of_group = vec3<f32>(voxc_m2_2_2_m2_2_2_m2_2_2_faces_ahead(ray, cell,
-      voxc_m2_2_2_m2_2_2_m2_2_2_Gap(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_3_LOG2_CELL + 1, 1)));
+      voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_3_LOG2_CELL + 1, 1)));
   let of_grid = vec3<f32>(voxc_m2_2_2_m2_2_2_m2_2_2_faces_ahead(ray, cell,
-      voxc_m2_2_2_m2_2_2_m2_2_2_Gap(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_3_LOG2_CELL + 2, 1)));
-  return select(select(of_grid, of_group, gap.log2_side == voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_3_LOG2_CELL + 1), of_cell,
-      gap.log2_side == voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_3_LOG2_CELL);
+      voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_3_LOG2_CELL + 2, 1)));
+  return select(select(of_grid, of_group, span.log2_side == voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_3_LOG2_CELL + 1), of_cell,
+      span.log2_side == voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_3_LOG2_CELL);
 }
 
 // The voxel around a cell, from this grid down; 0, and what is empty there with its faces ahead, if there is none.
 fn voxc_m2_2_2_m2_2_2_m2_2_2_locate_level_3(volume: u32, ray: voxc_m2_2_2_m2_2_2_m2_2_2_Ray, grid: u32, cell: vec3<i32>,
-    gap: ptr<function, voxc_m2_2_2_m2_2_2_m2_2_2_Gap>, face: ptr<function, vec3<f32>>) -> u32 {
-  *gap = voxc_m2_2_2_m2_2_2_m2_2_2_Gap(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_3_LOG2_CELL, 1);
+    span: ptr<function, voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan>, face: ptr<function, vec3<f32>>) -> u32 {
+  *span = voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_3_LOG2_CELL, 1);
   let value = voxc_m2_2_2_m2_2_2_m2_2_2_look_up_level_3(volume, ray, grid,
-      cell >> vec3<u32>(u32(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_3_LOG2_CELL)), gap);
+      cell >> vec3<u32>(u32(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_3_LOG2_CELL)), span);
   if (value == 0u) {
-    *face = voxc_m2_2_2_m2_2_2_m2_2_2_faces_level_3(ray, cell, *gap);
+    *face = voxc_m2_2_2_m2_2_2_m2_2_2_faces_level_3(ray, cell, *span);
   }
   return value;
 }
@@ -255,10 +255,10 @@ fn voxc_m2_2_2_m2_2_2_m2_2_2_value_level_2(volume: u32, grid: u32, cell: vec3<i3
   return voxc_m2_2_2_m2_2_2_m2_2_2_value_of_slot_level_2(volume, grid, u32(rank));
 }
 
-// True if a cell is full. Else the gap is as wide as the aligned group of eight cells around it, if they are all empty,
-// or as the grid, if no cell is full that the ray may still come to.
+// True if a cell is full. Else the empty span is as wide as the aligned group of eight cells around it, if they are all
+// empty, or as the grid, if no cell is full that the ray may still come to.
 fn voxc_m2_2_2_m2_2_2_m2_2_2_is_full_level_2(volume: u32, ray: voxc_m2_2_2_m2_2_2_m2_2_2_Ray, grid: u32,
-    cell: vec3<i32>, gap: ptr<function, voxc_m2_2_2_m2_2_2_m2_2_2_Gap>) -> bool {
+    cell: vec3<i32>, span: ptr<function, voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan>) -> bool {
   let number = voxc_m2_2_2_m2_2_2_m2_2_2_number_level_2(cell);
   let low = voxc_m2_2_2_m2_2_2_m2_2_2_load_word(volume, grid);
   let high = voxc_m2_2_2_m2_2_2_m2_2_2_load_word(volume, grid + 1u);
@@ -273,14 +273,14 @@ fn voxc_m2_2_2_m2_2_2_m2_2_2_is_full_level_2(volume: u32, ray: voxc_m2_2_2_m2_2_
   let low_ahead = plane * ((sides.z & 1u) | ((sides.z & 2u) << 15u));
   let high_ahead = plane * (((sides.z >> 2u) & 1u) | ((sides.z & 8u) << 13u));
   around = select(around, 2, ((low & low_ahead) | (high & high_ahead)) == 0u);
-  (*gap).log2_side += around;
+  (*span).log2_side += around;
   return ((half_mask >> u32(number & 31)) & 1u) != 0u;
 }
 
 // The same, and the value of a cell that is full; 0 of one that is not.
 fn voxc_m2_2_2_m2_2_2_m2_2_2_look_up_level_2(volume: u32, ray: voxc_m2_2_2_m2_2_2_m2_2_2_Ray, grid: u32,
-    cell: vec3<i32>, gap: ptr<function, voxc_m2_2_2_m2_2_2_m2_2_2_Gap>) -> u32 {
-  if (voxc_m2_2_2_m2_2_2_m2_2_2_is_full_level_2(volume, ray, grid, cell, gap)) {
+    cell: vec3<i32>, span: ptr<function, voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan>) -> u32 {
+  if (voxc_m2_2_2_m2_2_2_m2_2_2_is_full_level_2(volume, ray, grid, cell, span)) {
     return voxc_m2_2_2_m2_2_2_m2_2_2_value_level_2(volume, grid, cell);
   }
   return 0u;
@@ -289,30 +289,30 @@ fn voxc_m2_2_2_m2_2_2_m2_2_2_look_up_level_2(volume: u32, ray: voxc_m2_2_2_m2_2_
 // The faces ahead of what a mask may tell to be empty. They are made before it is known which of these it is, since the
 // mask comes late: to choose is then all that is left to do.
 fn voxc_m2_2_2_m2_2_2_m2_2_2_faces_level_2(ray: voxc_m2_2_2_m2_2_2_m2_2_2_Ray, cell: vec3<i32>,
-    gap: voxc_m2_2_2_m2_2_2_m2_2_2_Gap) -> vec3<f32> {
+    span: voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan) -> vec3<f32> {
   let of_cell = vec3<f32>(voxc_m2_2_2_m2_2_2_m2_2_2_faces_ahead(ray, cell,
-      voxc_m2_2_2_m2_2_2_m2_2_2_Gap(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL, 1)));
+      voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL, 1)));
   let of_group = vec3<f32>(voxc_m2_2_2_m2_2_2_m2_2_2_faces_ahead(ray, cell,
-      voxc_m2_2_2_m2_2_2_m2_2_2_Gap(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL + 1, 1)));
+      voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL + 1, 1)));
   let of_grid = vec3<f32>(voxc_m2_2_2_m2_2_2_m2_2_2_faces_ahead(ray, cell,
-      voxc_m2_2_2_m2_2_2_m2_2_2_Gap(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL + 2, 1)));
-  return select(select(of_grid, of_group, gap.log2_side == voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL + 1), of_cell,
-      gap.log2_side == voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL);
+      voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL + 2, 1)));
+  return select(select(of_grid, of_group, span.log2_side == voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL + 1), of_cell,
+      span.log2_side == voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL);
 }
 
 // The voxel around a cell, from this grid down; 0, and what is empty there with its faces ahead, if there is none.
 fn voxc_m2_2_2_m2_2_2_m2_2_2_locate_level_2(volume: u32, ray: voxc_m2_2_2_m2_2_2_m2_2_2_Ray, grid: u32, cell: vec3<i32>,
-    gap: ptr<function, voxc_m2_2_2_m2_2_2_m2_2_2_Gap>, face: ptr<function, vec3<f32>>) -> u32 {
-  *gap = voxc_m2_2_2_m2_2_2_m2_2_2_Gap(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL, 1);
+    span: ptr<function, voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan>, face: ptr<function, vec3<f32>>) -> u32 {
+  *span = voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL, 1);
   let value = voxc_m2_2_2_m2_2_2_m2_2_2_look_up_level_2(volume, ray, grid,
-      cell >> vec3<u32>(u32(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL)), gap);
+      cell >> vec3<u32>(u32(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_2_LOG2_CELL)), span);
   if (value == 0u) {
-    *face = voxc_m2_2_2_m2_2_2_m2_2_2_faces_level_2(ray, cell, *gap);
+    *face = voxc_m2_2_2_m2_2_2_m2_2_2_faces_level_2(ray, cell, *span);
   }
   if (value == 0u) {
     return 0u;
   }
-  return voxc_m2_2_2_m2_2_2_m2_2_2_locate_level_3(volume, ray, value, cell, gap, face);
+  return voxc_m2_2_2_m2_2_2_m2_2_2_locate_level_3(volume, ray, value, cell, span, face);
 }
 
 // Level 1: masked, 4 x 4 x 4 cells of 16 voxels a side.
@@ -371,10 +371,10 @@ fn voxc_m2_2_2_m2_2_2_m2_2_2_value_level_1(volume: u32, grid: u32, cell: vec3<i3
   return voxc_m2_2_2_m2_2_2_m2_2_2_value_of_slot_level_1(volume, grid, u32(rank));
 }
 
-// True if a cell is full. Else the gap is as wide as the aligned group of eight cells around it, if they are all empty,
-// or as the grid, if no cell is full that the ray may still come to.
+// True if a cell is full. Else the empty span is as wide as the aligned group of eight cells around it, if they are all
+// empty, or as the grid, if no cell is full that the ray may still come to.
 fn voxc_m2_2_2_m2_2_2_m2_2_2_is_full_level_1(volume: u32, ray: voxc_m2_2_2_m2_2_2_m2_2_2_Ray, grid: u32,
-    cell: vec3<i32>, gap: ptr<function, voxc_m2_2_2_m2_2_2_m2_2_2_Gap>) -> bool {
+    cell: vec3<i32>, span: ptr<function, voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan>) -> bool {
   let number = voxc_m2_2_2_m2_2_2_m2_2_2_number_level_1(cell);
   let low = voxc_m2_2_2_m2_2_2_m2_2_2_load_word(volume, grid);
   let high = voxc_m2_2_2_m2_2_2_m2_2_2_load_word(volume, grid + 1u);
@@ -389,14 +389,14 @@ fn voxc_m2_2_2_m2_2_2_m2_2_2_is_full_level_1(volume: u32, ray: voxc_m2_2_2_m2_2_
   let low_ahead = plane * ((sides.z & 1u) | ((sides.z & 2u) << 15u));
   let high_ahead = plane * (((sides.z >> 2u) & 1u) | ((sides.z & 8u) << 13u));
   around = select(around, 2, ((low & low_ahead) | (high & high_ahead)) == 0u);
-  (*gap).log2_side += around;
+  (*span).log2_side += around;
   return ((half_mask >> u32(number & 31)) & 1u) != 0u;
 }
 
 // The same, and the value of a cell that is full; 0 of one that is not.
 fn voxc_m2_2_2_m2_2_2_m2_2_2_look_up_level_1(volume: u32, ray: voxc_m2_2_2_m2_2_2_m2_2_2_Ray, grid: u32,
-    cell: vec3<i32>, gap: ptr<function, voxc_m2_2_2_m2_2_2_m2_2_2_Gap>) -> u32 {
-  if (voxc_m2_2_2_m2_2_2_m2_2_2_is_full_level_1(volume, ray, grid, cell, gap)) {
+    cell: vec3<i32>, span: ptr<function, voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan>) -> u32 {
+  if (voxc_m2_2_2_m2_2_2_m2_2_2_is_full_level_1(volume, ray, grid, cell, span)) {
     return voxc_m2_2_2_m2_2_2_m2_2_2_value_level_1(volume, grid, cell);
   }
   return 0u;
@@ -405,56 +405,56 @@ fn voxc_m2_2_2_m2_2_2_m2_2_2_look_up_level_1(volume: u32, ray: voxc_m2_2_2_m2_2_
 // The faces ahead of what a mask may tell to be empty. They are made before it is known which of these it is, since the
 // mask comes late: to choose is then all that is left to do.
 fn voxc_m2_2_2_m2_2_2_m2_2_2_faces_level_1(ray: voxc_m2_2_2_m2_2_2_m2_2_2_Ray, cell: vec3<i32>,
-    gap: voxc_m2_2_2_m2_2_2_m2_2_2_Gap) -> vec3<f32> {
+    span: voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan) -> vec3<f32> {
   let of_cell = vec3<f32>(voxc_m2_2_2_m2_2_2_m2_2_2_faces_ahead(ray, cell,
-      voxc_m2_2_2_m2_2_2_m2_2_2_Gap(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL, 1)));
+      voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL, 1)));
   let of_group = vec3<f32>(voxc_m2_2_2_m2_2_2_m2_2_2_faces_ahead(ray, cell,
-      voxc_m2_2_2_m2_2_2_m2_2_2_Gap(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL + 1, 1)));
+      voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL + 1, 1)));
   let of_grid = vec3<f32>(voxc_m2_2_2_m2_2_2_m2_2_2_faces_ahead(ray, cell,
-      voxc_m2_2_2_m2_2_2_m2_2_2_Gap(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL + 2, 1)));
-  return select(select(of_grid, of_group, gap.log2_side == voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL + 1), of_cell,
-      gap.log2_side == voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL);
+      voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL + 2, 1)));
+  return select(select(of_grid, of_group, span.log2_side == voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL + 1), of_cell,
+      span.log2_side == voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL);
 }
 
 // The voxel around a cell, from this grid down; 0, and what is empty there with its faces ahead, if there is none.
 fn voxc_m2_2_2_m2_2_2_m2_2_2_locate_level_1(volume: u32, ray: voxc_m2_2_2_m2_2_2_m2_2_2_Ray, grid: u32, cell: vec3<i32>,
-    gap: ptr<function, voxc_m2_2_2_m2_2_2_m2_2_2_Gap>, face: ptr<function, vec3<f32>>) -> u32 {
-  *gap = voxc_m2_2_2_m2_2_2_m2_2_2_Gap(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL, 1);
+    span: ptr<function, voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan>, face: ptr<function, vec3<f32>>) -> u32 {
+  *span = voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL, 1);
   let value = voxc_m2_2_2_m2_2_2_m2_2_2_look_up_level_1(volume, ray, grid,
-      cell >> vec3<u32>(u32(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL)), gap);
+      cell >> vec3<u32>(u32(voxc_m2_2_2_m2_2_2_m2_2_2_LEVEL_1_LOG2_CELL)), span);
   if (value == 0u) {
-    *face = voxc_m2_2_2_m2_2_2_m2_2_2_faces_level_1(ray, cell, *gap);
+    *face = voxc_m2_2_2_m2_2_2_m2_2_2_faces_level_1(ray, cell, *span);
   }
   if (value == 0u) {
     return 0u;
   }
-  return voxc_m2_2_2_m2_2_2_m2_2_2_locate_level_2(volume, ray, value, cell, gap, face);
+  return voxc_m2_2_2_m2_2_2_m2_2_2_locate_level_2(volume, ray, value, cell, span, face);
 }
 
-// One loop. Each turn looks at the walk's cell from the root on, through all levels.
-fn voxc_m2_2_2_m2_2_2_m2_2_2_intersect_level_1(volume: u32, ray: voxc_m2_2_2_m2_2_2_m2_2_2_Ray, walk: ptr<function,
-    voxc_m2_2_2_m2_2_2_m2_2_2_Walk>, root: u32) -> bool {
-  var before: vec3<i32> = (*walk).cell;
-  while (voxc_m2_2_2_m2_2_2_m2_2_2_goes_on(*walk)) {
-    var gap: voxc_m2_2_2_m2_2_2_m2_2_2_Gap = voxc_m2_2_2_m2_2_2_m2_2_2_Gap(0, 1);
+// One loop. Each turn looks at the traversal's cell from the root on, through all levels.
+fn voxc_m2_2_2_m2_2_2_m2_2_2_intersect_level_1(volume: u32, ray: voxc_m2_2_2_m2_2_2_m2_2_2_Ray, traversal: ptr<function,
+    voxc_m2_2_2_m2_2_2_m2_2_2_Traversal>, root: u32) -> bool {
+  var before: vec3<i32> = (*traversal).cell;
+  while (voxc_m2_2_2_m2_2_2_m2_2_2_goes_on(*traversal)) {
+    var span: voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan = voxc_m2_2_2_m2_2_2_m2_2_2_EmptySpan(0, 1);
     var face: vec3<f32> = vec3<f32>(0);
-    let value = voxc_m2_2_2_m2_2_2_m2_2_2_locate_level_1(volume, ray, root, (*walk).cell, &gap, &face);
+    let value = voxc_m2_2_2_m2_2_2_m2_2_2_locate_level_1(volume, ray, root, (*traversal).cell, &span, &face);
     if (value != 0u) {
       return true;
     }
-    before = (*walk).cell;
-    voxc_m2_2_2_m2_2_2_m2_2_2_step_over(ray, walk, gap, face);
+    before = (*traversal).cell;
+    voxc_m2_2_2_m2_2_2_m2_2_2_step_over(ray, traversal, span, face);
   }
-  voxc_m2_2_2_m2_2_2_m2_2_2_put_outside(walk, before);
+  voxc_m2_2_2_m2_2_2_m2_2_2_put_outside(traversal, before);
   return false;
 }
 
-// How many voxels of the grid come before one. Where walks stop above voxels, one may not be there.
+// How many voxels of the grid come before one. Where traversals stop above voxels, one may not be there.
 fn voxc_m2_2_2_m2_2_2_m2_2_2_rank_level_3(volume: u32, grid: u32, voxel: vec3<i32>) -> u32 {
   return voxc_m2_2_2_m2_2_2_m2_2_2_voxels_before_level_3(volume, grid, voxel);
 }
 
-// How many voxels of the grid come before one. Where walks stop above voxels, one may not be there.
+// How many voxels of the grid come before one. Where traversals stop above voxels, one may not be there.
 fn voxc_m2_2_2_m2_2_2_m2_2_2_rank_level_2(volume: u32, grid: u32, voxel: vec3<i32>) -> u32 {
   var rank: u32 = 0u;
   let value = voxc_m2_2_2_m2_2_2_m2_2_2_ranked_value_level_2(volume, grid,
@@ -462,7 +462,7 @@ fn voxc_m2_2_2_m2_2_2_m2_2_2_rank_level_2(volume: u32, grid: u32, voxel: vec3<i3
   return rank + voxc_m2_2_2_m2_2_2_m2_2_2_rank_level_3(volume, value, voxel);
 }
 
-// How many voxels of the grid come before one. Where walks stop above voxels, one may not be there.
+// How many voxels of the grid come before one. Where traversals stop above voxels, one may not be there.
 fn voxc_m2_2_2_m2_2_2_m2_2_2_rank_level_1(volume: u32, grid: u32, voxel: vec3<i32>) -> u32 {
   var rank: u32 = 0u;
   let value = voxc_m2_2_2_m2_2_2_m2_2_2_ranked_value_level_1(volume, grid,
@@ -542,8 +542,8 @@ fn voxc_m2_2_2_m2_2_2_m2_2_2_value_of_rank(volume: u32, rank: u32) -> u32 {
 }
 
 // What a voxel is: here its value is its colour.
-fn voxc_m2_2_2_m2_2_2_m2_2_2_colour_of(volume: u32, walk: voxc_m2_2_2_m2_2_2_m2_2_2_Walk) -> u32 {
+fn voxc_m2_2_2_m2_2_2_m2_2_2_colour_of(volume: u32, traversal: voxc_m2_2_2_m2_2_2_m2_2_2_Traversal) -> u32 {
   return voxc_m2_2_2_m2_2_2_m2_2_2_value_of_rank(volume, voxc_m2_2_2_m2_2_2_m2_2_2_rank_level_1(volume,
-      voxc_m2_2_2_m2_2_2_m2_2_2_load_word(volume, 0u), walk.cell));
+      voxc_m2_2_2_m2_2_2_m2_2_2_load_word(volume, 0u), traversal.cell));
 }
 

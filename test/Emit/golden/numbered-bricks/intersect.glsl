@@ -84,9 +84,9 @@ uint ahead_level_3(const Ray ray, ivec3 place) {
   return sides.x * (sides.y & 1u | (sides.y & 2u) << 1) * (sides.z & 1u | (sides.z & 2u) << 3);
 }
 
-// True if a cell is full. Else the gap is as wide as the octant around it, if that is empty, or as the grid, if nothing
-// is full to which the ray may still come: neither a cell of the octant nor any of the other octants.
-bool is_full_level_3(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+// True if a cell is full. Else the empty span is as wide as the octant around it, if that is empty, or as the grid, if
+// nothing is full to which the ray may still come: neither a cell of the octant nor any of the other octants.
+bool is_full_level_3(const Ray ray, uint grid, ivec3 cell, inout EmptySpan span) {
   uint cells;
   uint octants = octants_level_3(grid, cells);
   ivec3 octant = cell >> 1 & 1;
@@ -94,30 +94,30 @@ bool is_full_level_3(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
   uint others = octants & ahead_level_3(ray, octant) & ~(1u << place_level_3(octant));
   int around = own == 0u ? 1 : 0;
   around = (others | (own & ahead_level_3(ray, cell & 1))) == 0u ? 2 : around;
-  gap.log2_side += around;
+  span.log2_side += around;
   return (own >> place_level_3(cell & 1) & 1u) != 0u;
 }
 
 // The same, and the value of a cell that is full; 0 of one that is not.
-uint look_up_level_3(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
-  return is_full_level_3(ray, grid, cell, gap) ? grid : 0u; // Its value is looked up once it is hit.
+uint look_up_level_3(const Ray ray, uint grid, ivec3 cell, inout EmptySpan span) {
+  return is_full_level_3(ray, grid, cell, span) ? grid : 0u; // Its value is looked up once it is hit.
 }
 
 // The faces ahead of what a mask may tell to be empty. They are made before it is known which of these it is, since the
 // mask comes late: to choose is then all that is left to do.
-vec3 faces_level_3(const Ray ray, ivec3 cell, const Gap gap) {
-  vec3 of_cell = vec3(faces_ahead(ray, cell, Gap(LEVEL_3_LOG2_CELL, 1)));
-  vec3 of_group = vec3(faces_ahead(ray, cell, Gap(LEVEL_3_LOG2_CELL + 1, 1)));
-  vec3 of_grid = vec3(faces_ahead(ray, cell, Gap(LEVEL_3_LOG2_CELL + 2, 1)));
-  return gap.log2_side == LEVEL_3_LOG2_CELL ? of_cell : gap.log2_side == LEVEL_3_LOG2_CELL + 1 ? of_group : of_grid;
+vec3 faces_level_3(const Ray ray, ivec3 cell, const EmptySpan span) {
+  vec3 of_cell = vec3(faces_ahead(ray, cell, EmptySpan(LEVEL_3_LOG2_CELL, 1)));
+  vec3 of_group = vec3(faces_ahead(ray, cell, EmptySpan(LEVEL_3_LOG2_CELL + 1, 1)));
+  vec3 of_grid = vec3(faces_ahead(ray, cell, EmptySpan(LEVEL_3_LOG2_CELL + 2, 1)));
+  return span.log2_side == LEVEL_3_LOG2_CELL ? of_cell : span.log2_side == LEVEL_3_LOG2_CELL + 1 ? of_group : of_grid;
 }
 
 // The voxel around a cell, from this grid down; 0, and what is empty there with its faces ahead, if there is none.
-uint locate_level_3(const Ray ray, uint grid, ivec3 cell, inout Gap gap, inout vec3 face) {
-  gap = Gap(LEVEL_3_LOG2_CELL, 1);
-  uint value = look_up_level_3(ray, grid, cell >> LEVEL_3_LOG2_CELL, gap);
+uint locate_level_3(const Ray ray, uint grid, ivec3 cell, inout EmptySpan span, inout vec3 face) {
+  span = EmptySpan(LEVEL_3_LOG2_CELL, 1);
+  uint value = look_up_level_3(ray, grid, cell >> LEVEL_3_LOG2_CELL, span);
   if (value == 0u)
-    face = faces_level_3(ray, cell, gap);
+    face = faces_level_3(ray, cell, span);
   return value;
 }
 
@@ -198,9 +198,9 @@ uint value_level_2(uint grid, ivec3 cell) {
   return value_of_slot_level_2(grid, uint(rank));
 }
 
-// True if a cell is full. Else the gap is as wide as the aligned group of eight cells around it, if they are all empty,
-// or as the grid, if no cell is full that the ray may still come to.
-bool is_full_level_2(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+// True if a cell is full. Else the empty span is as wide as the aligned group of eight cells around it, if they are all
+// empty, or as the grid, if no cell is full that the ray may still come to.
+bool is_full_level_2(const Ray ray, uint grid, ivec3 cell, inout EmptySpan span) {
   int number = number_level_2(cell);
   uint low = load_word(grid);
   uint high = load_word(grid + 1u);
@@ -215,31 +215,31 @@ bool is_full_level_2(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
   uint low_ahead = plane * (sides.z & 1u | (sides.z & 2u) << 15);
   uint high_ahead = plane * (sides.z >> 2 & 1u | (sides.z & 8u) << 13);
   around = ((low & low_ahead) | (high & high_ahead)) == 0u ? 2 : around;
-  gap.log2_side += around;
+  span.log2_side += around;
   return (half_mask >> (number & 31) & 1u) != 0u;
 }
 
 // The same, and the value of a cell that is full; 0 of one that is not.
-uint look_up_level_2(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
-  return is_full_level_2(ray, grid, cell, gap) ? value_level_2(grid, cell) : 0u;
+uint look_up_level_2(const Ray ray, uint grid, ivec3 cell, inout EmptySpan span) {
+  return is_full_level_2(ray, grid, cell, span) ? value_level_2(grid, cell) : 0u;
 }
 
 // The faces ahead of what a mask may tell to be empty. They are made before it is known which of these it is, since the
 // mask comes late: to choose is then all that is left to do.
-vec3 faces_level_2(const Ray ray, ivec3 cell, const Gap gap) {
-  vec3 of_cell = vec3(faces_ahead(ray, cell, Gap(LEVEL_2_LOG2_CELL, 1)));
-  vec3 of_group = vec3(faces_ahead(ray, cell, Gap(LEVEL_2_LOG2_CELL + 1, 1)));
-  vec3 of_grid = vec3(faces_ahead(ray, cell, Gap(LEVEL_2_LOG2_CELL + 2, 1)));
-  return gap.log2_side == LEVEL_2_LOG2_CELL ? of_cell : gap.log2_side == LEVEL_2_LOG2_CELL + 1 ? of_group : of_grid;
+vec3 faces_level_2(const Ray ray, ivec3 cell, const EmptySpan span) {
+  vec3 of_cell = vec3(faces_ahead(ray, cell, EmptySpan(LEVEL_2_LOG2_CELL, 1)));
+  vec3 of_group = vec3(faces_ahead(ray, cell, EmptySpan(LEVEL_2_LOG2_CELL + 1, 1)));
+  vec3 of_grid = vec3(faces_ahead(ray, cell, EmptySpan(LEVEL_2_LOG2_CELL + 2, 1)));
+  return span.log2_side == LEVEL_2_LOG2_CELL ? of_cell : span.log2_side == LEVEL_2_LOG2_CELL + 1 ? of_group : of_grid;
 }
 
 // The voxel around a cell, from this grid down; 0, and what is empty there with its faces ahead, if there is none.
-uint locate_level_2(const Ray ray, uint grid, ivec3 cell, inout Gap gap, inout vec3 face) {
-  gap = Gap(LEVEL_2_LOG2_CELL, 1);
-  uint value = look_up_level_2(ray, grid, cell >> LEVEL_2_LOG2_CELL, gap);
+uint locate_level_2(const Ray ray, uint grid, ivec3 cell, inout EmptySpan span, inout vec3 face) {
+  span = EmptySpan(LEVEL_2_LOG2_CELL, 1);
+  uint value = look_up_level_2(ray, grid, cell >> LEVEL_2_LOG2_CELL, span);
   if (value == 0u)
-    face = faces_level_2(ray, cell, gap);
-  return value == 0u ? 0u : locate_level_3(ray, value, cell, gap, face);
+    face = faces_level_2(ray, cell, span);
+  return value == 0u ? 0u : locate_level_3(ray, value, cell, span, face);
 }
 
 // Level 1: masked, 4 x 4 x 4 cells of 16 voxels a side.
@@ -281,9 +281,9 @@ uint value_level_1(uint grid, ivec3 cell) {
   return value_of_slot_level_1(grid, uint(rank));
 }
 
-// True if a cell is full. Else the gap is as wide as the aligned group of eight cells around it, if they are all empty,
-// or as the grid, if no cell is full that the ray may still come to.
-bool is_full_level_1(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
+// True if a cell is full. Else the empty span is as wide as the aligned group of eight cells around it, if they are all
+// empty, or as the grid, if no cell is full that the ray may still come to.
+bool is_full_level_1(const Ray ray, uint grid, ivec3 cell, inout EmptySpan span) {
   int number = number_level_1(cell);
   uint low = load_word(grid);
   uint high = load_word(grid + 1u);
@@ -298,62 +298,62 @@ bool is_full_level_1(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
   uint low_ahead = plane * (sides.z & 1u | (sides.z & 2u) << 15);
   uint high_ahead = plane * (sides.z >> 2 & 1u | (sides.z & 8u) << 13);
   around = ((low & low_ahead) | (high & high_ahead)) == 0u ? 2 : around;
-  gap.log2_side += around;
+  span.log2_side += around;
   return (half_mask >> (number & 31) & 1u) != 0u;
 }
 
 // The same, and the value of a cell that is full; 0 of one that is not.
-uint look_up_level_1(const Ray ray, uint grid, ivec3 cell, inout Gap gap) {
-  return is_full_level_1(ray, grid, cell, gap) ? value_level_1(grid, cell) : 0u;
+uint look_up_level_1(const Ray ray, uint grid, ivec3 cell, inout EmptySpan span) {
+  return is_full_level_1(ray, grid, cell, span) ? value_level_1(grid, cell) : 0u;
 }
 
 // The faces ahead of what a mask may tell to be empty. They are made before it is known which of these it is, since the
 // mask comes late: to choose is then all that is left to do.
-vec3 faces_level_1(const Ray ray, ivec3 cell, const Gap gap) {
-  vec3 of_cell = vec3(faces_ahead(ray, cell, Gap(LEVEL_1_LOG2_CELL, 1)));
-  vec3 of_group = vec3(faces_ahead(ray, cell, Gap(LEVEL_1_LOG2_CELL + 1, 1)));
-  vec3 of_grid = vec3(faces_ahead(ray, cell, Gap(LEVEL_1_LOG2_CELL + 2, 1)));
-  return gap.log2_side == LEVEL_1_LOG2_CELL ? of_cell : gap.log2_side == LEVEL_1_LOG2_CELL + 1 ? of_group : of_grid;
+vec3 faces_level_1(const Ray ray, ivec3 cell, const EmptySpan span) {
+  vec3 of_cell = vec3(faces_ahead(ray, cell, EmptySpan(LEVEL_1_LOG2_CELL, 1)));
+  vec3 of_group = vec3(faces_ahead(ray, cell, EmptySpan(LEVEL_1_LOG2_CELL + 1, 1)));
+  vec3 of_grid = vec3(faces_ahead(ray, cell, EmptySpan(LEVEL_1_LOG2_CELL + 2, 1)));
+  return span.log2_side == LEVEL_1_LOG2_CELL ? of_cell : span.log2_side == LEVEL_1_LOG2_CELL + 1 ? of_group : of_grid;
 }
 
 // The voxel around a cell, from this grid down; 0, and what is empty there with its faces ahead, if there is none.
-uint locate_level_1(const Ray ray, uint grid, ivec3 cell, inout Gap gap, inout vec3 face) {
-  gap = Gap(LEVEL_1_LOG2_CELL, 1);
-  uint value = look_up_level_1(ray, grid, cell >> LEVEL_1_LOG2_CELL, gap);
+uint locate_level_1(const Ray ray, uint grid, ivec3 cell, inout EmptySpan span, inout vec3 face) {
+  span = EmptySpan(LEVEL_1_LOG2_CELL, 1);
+  uint value = look_up_level_1(ray, grid, cell >> LEVEL_1_LOG2_CELL, span);
   if (value == 0u)
-    face = faces_level_1(ray, cell, gap);
-  return value == 0u ? 0u : locate_level_2(ray, value, cell, gap, face);
+    face = faces_level_1(ray, cell, span);
+  return value == 0u ? 0u : locate_level_2(ray, value, cell, span, face);
 }
 
-// One loop. Each turn looks at the walk's cell from the root on, through all levels.
-bool intersect_level_1(const Ray ray, inout Walk walk, uint root) {
-  ivec3 before = walk.cell;
-  while (goes_on(walk)) {
-    count_lookup(walk);
-    Gap gap = Gap(0, 1);
+// One loop. Each turn looks at the traversal's cell from the root on, through all levels.
+bool intersect_level_1(const Ray ray, inout Traversal traversal, uint root) {
+  ivec3 before = traversal.cell;
+  while (goes_on(traversal)) {
+    count_lookup(traversal);
+    EmptySpan span = EmptySpan(0, 1);
     vec3 face = vec3(0);
-    uint value = locate_level_1(ray, root, walk.cell, gap, face);
+    uint value = locate_level_1(ray, root, traversal.cell, span, face);
     if (value != 0u) {
       return true;
     }
-    before = walk.cell;
-    step_over(ray, walk, gap, face);
+    before = traversal.cell;
+    step_over(ray, traversal, span, face);
   }
-  put_outside(walk, before);
+  put_outside(traversal, before);
   return false;
 }
 
-// How many voxels of the grid come before one. Where walks stop above voxels, one may not be there.
+// How many voxels of the grid come before one. Where traversals stop above voxels, one may not be there.
 uint rank_level_3(uint grid, ivec3 voxel) { return voxels_before_level_3(grid, voxel); }
 
-// How many voxels of the grid come before one. Where walks stop above voxels, one may not be there.
+// How many voxels of the grid come before one. Where traversals stop above voxels, one may not be there.
 uint rank_level_2(uint grid, ivec3 voxel) {
   uint rank = 0u;
   uint value = ranked_value_level_2(grid, voxel >> LEVEL_2_LOG2_CELL, rank);
   return rank + rank_level_3(value, voxel);
 }
 
-// How many voxels of the grid come before one. Where walks stop above voxels, one may not be there.
+// How many voxels of the grid come before one. Where traversals stop above voxels, one may not be there.
 uint rank_level_1(uint grid, ivec3 voxel) {
   uint rank = 0u;
   uint value = ranked_value_level_1(grid, voxel >> LEVEL_1_LOG2_CELL, rank);
@@ -425,5 +425,5 @@ uint value_of_rank(uint rank) {
 }
 
 // What a voxel is: here its value is its colour.
-uint colour_of(const Walk walk) { return value_of_rank(rank_level_1(load_word(0u), walk.cell)); }
+uint colour_of(const Traversal traversal) { return value_of_rank(rank_level_1(load_word(0u), traversal.cell)); }
 

@@ -21,14 +21,15 @@ uint voxc_s9_child_level_1(VOXC_VOLUME volume, uint node, ivec3 cell, int height
   return voxc_s9_load_word(volume, node) + 2u * uint(bitCount(masks & ((1u << child) - 1u)));
 }
 
-// path[i] is the node i layers above the cells around the walk's cell: a step climbs only to the ancestor of the old
-// cell and the new.
-bool voxc_s9_intersect_level_1(VOXC_VOLUME volume, const voxc_s9_Ray ray, inout voxc_s9_Walk walk, uint root) {
+// path[i] is the node i layers above the cells around the traversal's cell: a step climbs only to the ancestor of the
+// old cell and the new.
+bool voxc_s9_intersect_level_1(VOXC_VOLUME volume, const voxc_s9_Ray ray, inout voxc_s9_Traversal traversal,
+    uint root) {
   uint path[voxc_s9_LEVEL_1_DEPTH + 1];
   path[voxc_s9_LEVEL_1_DEPTH] = root;
   int top = voxc_s9_LEVEL_1_DEPTH;
   for (;;) {
-    ivec3 cell = walk.cell >> voxc_s9_LEVEL_1_LOG2_CELL;
+    ivec3 cell = traversal.cell >> voxc_s9_LEVEL_1_LOG2_CELL;
     uint node = path[top];
     int layer = top;
     bool leaf = false;
@@ -37,20 +38,22 @@ bool voxc_s9_intersect_level_1(VOXC_VOLUME volume, const voxc_s9_Ray ray, inout 
       layer--;
       node = voxc_s9_child_level_1(volume, node, cell, layer, leaf);
     }
-    ivec3 before = walk.cell;
+    ivec3 before = traversal.cell;
     if (node == 0u)
-      voxc_s9_step_over(ray, walk, voxc_s9_LEVEL_1_LOG2_CELL + layer);
-    else if (leaf && voxc_s9_intersect_voxel(walk, node))
+      voxc_s9_step_over(ray, traversal, voxc_s9_LEVEL_1_LOG2_CELL + layer);
+    else if (leaf && voxc_s9_intersect_voxel(traversal, node))
       return true;
 
-    if (!voxc_s9_goes_on(walk))
+    if (!voxc_s9_goes_on(traversal))
       return false;
-    ivec3 changed = before ^ walk.cell;
+    ivec3 changed = before ^ traversal.cell;
     int highest = findMSB(uint(changed.x | changed.y | changed.z));
     top = max(layer, highest - voxc_s9_LEVEL_1_LOG2_CELL) + 1;
   }
 }
 
 // What a voxel is: here its value is its colour.
-uint voxc_s9_colour_of(VOXC_VOLUME volume, const voxc_s9_Walk walk) { return voxc_s9_load_word(volume, walk.voxel); }
+uint voxc_s9_colour_of(VOXC_VOLUME volume, const voxc_s9_Traversal traversal) {
+  return voxc_s9_load_word(volume, traversal.voxel);
+}
 

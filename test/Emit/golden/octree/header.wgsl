@@ -22,14 +22,15 @@ fn voxc_s9_child_level_1(volume: u32, node: u32, cell: vec3<i32>, height: i32, l
   return voxc_s9_load_word(volume, node) + 2u * countOneBits(masks & ((1u << u32(child)) - 1u));
 }
 
-// path[i] is the node i layers above the cells around the walk's cell: a step climbs only to the ancestor of the old
-// cell and the new.
-fn voxc_s9_intersect_level_1(volume: u32, ray: voxc_s9_Ray, walk: ptr<function, voxc_s9_Walk>, root: u32) -> bool {
+// path[i] is the node i layers above the cells around the traversal's cell: a step climbs only to the ancestor of the
+// old cell and the new.
+fn voxc_s9_intersect_level_1(volume: u32, ray: voxc_s9_Ray, traversal: ptr<function, voxc_s9_Traversal>,
+    root: u32) -> bool {
   var path: array<u32, voxc_s9_LEVEL_1_DEPTH + 1>;
   path[voxc_s9_LEVEL_1_DEPTH] = root;
   var top: i32 = voxc_s9_LEVEL_1_DEPTH;
   for (;;) {
-    let cell = (*walk).cell >> vec3<u32>(u32(voxc_s9_LEVEL_1_LOG2_CELL));
+    let cell = (*traversal).cell >> vec3<u32>(u32(voxc_s9_LEVEL_1_LOG2_CELL));
     var node: u32 = path[top];
     var layer: i32 = top;
     var leaf: bool = false;
@@ -38,22 +39,24 @@ fn voxc_s9_intersect_level_1(volume: u32, ray: voxc_s9_Ray, walk: ptr<function, 
       layer--;
       node = voxc_s9_child_level_1(volume, node, cell, layer, &leaf);
     }
-    let before = (*walk).cell;
+    let before = (*traversal).cell;
     if (node == 0u) {
-      voxc_s9_step_over_int(ray, walk, voxc_s9_LEVEL_1_LOG2_CELL + layer);
-    } else if (leaf && voxc_s9_intersect_voxel(walk, node)) {
+      voxc_s9_step_over_int(ray, traversal, voxc_s9_LEVEL_1_LOG2_CELL + layer);
+    } else if (leaf && voxc_s9_intersect_voxel(traversal, node)) {
       return true;
     }
 
-    if (!voxc_s9_goes_on(*walk)) {
+    if (!voxc_s9_goes_on(*traversal)) {
       return false;
     }
-    let changed = before ^ (*walk).cell;
+    let changed = before ^ (*traversal).cell;
     let highest = i32(firstLeadingBit(u32(changed.x | changed.y | changed.z)));
     top = max(layer, highest - voxc_s9_LEVEL_1_LOG2_CELL) + 1;
   }
 }
 
 // What a voxel is: here its value is its colour.
-fn voxc_s9_colour_of(volume: u32, walk: voxc_s9_Walk) -> u32 { return voxc_s9_load_word(volume, walk.voxel); }
+fn voxc_s9_colour_of(volume: u32, traversal: voxc_s9_Traversal) -> u32 {
+  return voxc_s9_load_word(volume, traversal.voxel);
+}
 

@@ -24,15 +24,15 @@ static inline uint voxc_d4_4_4_5_g4_child_level_2(const unsigned int *volume, ui
   return voxc_d4_4_4_5_g4_load_word(volume, node + 1u + uint(bitCount(masks & ((1u << child) - 1u))));
 }
 
-// path[i] is the node i layers above the cells around the walk's cell: a step climbs only to the ancestor of the old
-// cell and the new.
+// path[i] is the node i layers above the cells around the traversal's cell: a step climbs only to the ancestor of the
+// old cell and the new.
 static inline bool voxc_d4_4_4_5_g4_intersect_level_2(const unsigned int *volume, const voxc_d4_4_4_5_g4_Ray &ray,
-    voxc_d4_4_4_5_g4_Walk &walk, uint root) {
+    voxc_d4_4_4_5_g4_Traversal &traversal, uint root) {
   uint path[voxc_d4_4_4_5_g4_LEVEL_2_DEPTH + 1];
   path[voxc_d4_4_4_5_g4_LEVEL_2_DEPTH] = root;
   int top = voxc_d4_4_4_5_g4_LEVEL_2_DEPTH;
   for (;;) {
-    ivec3 cell = walk.cell >> voxc_d4_4_4_5_g4_LEVEL_2_LOG2_CELL;
+    ivec3 cell = traversal.cell >> voxc_d4_4_4_5_g4_LEVEL_2_LOG2_CELL;
     uint node = path[top];
     int layer = top;
     bool leaf = false;
@@ -41,12 +41,12 @@ static inline bool voxc_d4_4_4_5_g4_intersect_level_2(const unsigned int *volume
       layer--;
       node = voxc_d4_4_4_5_g4_child_level_2(volume, node, cell, layer, leaf);
     }
-    ivec3 before = walk.cell;
+    ivec3 before = traversal.cell;
     if (node == 0u)
-      voxc_d4_4_4_5_g4_step_over(ray, walk, voxc_d4_4_4_5_g4_LEVEL_2_LOG2_CELL + layer);
-    else if (leaf && voxc_d4_4_4_5_g4_intersect_voxel(walk, node))
+      voxc_d4_4_4_5_g4_step_over(ray, traversal, voxc_d4_4_4_5_g4_LEVEL_2_LOG2_CELL + layer);
+    else if (leaf && voxc_d4_4_4_5_g4_intersect_voxel(traversal, node))
       return true;
-    ivec3 changed = before ^ walk.cell;
+    ivec3 changed = before ^ traversal.cell;
     int highest = findMSB(uint(changed.x | changed.y | changed.z));
     if (highest >= voxc_d4_4_4_5_g4_LEVEL_2_LOG2_SIDE)
       return false;
@@ -66,26 +66,26 @@ static inline uint voxc_d4_4_4_5_g4_slot_level_1(uint grid, ivec3 cell) {
       + (at.z << voxc_d4_4_4_5_g4_LEVEL_1_LOG2_SIZE.y)) << voxc_d4_4_4_5_g4_LEVEL_1_LOG2_SIZE.x));
 }
 
-// The value of a cell, or 0 if it is empty; `gap` then counts the cells of its distance.
+// The value of a cell, or 0 if it is empty; `span` then counts the cells of its distance.
 static inline uint voxc_d4_4_4_5_g4_look_up_level_1(const unsigned int *volume, uint grid, ivec3 cell,
-    voxc_d4_4_4_5_g4_Gap &gap) {
+    voxc_d4_4_4_5_g4_EmptySpan &span) {
   uint slot = voxc_d4_4_4_5_g4_slot_level_1(grid, cell);
   uint word = voxc_d4_4_4_5_g4_load_word(volume, slot);
   // The distance stands behind the value.
   uint skip = word == 0u ? voxc_d4_4_4_5_g4_load_word(volume, slot + 1u) : 0u;
-  gap.count = int(skip & 0x7fffffffu);
+  span.count = int(skip & 0x7fffffffu);
   return word;
 }
 
-// Whether a walk is still in the sub-volume in which it began.
+// Whether a traversal is still in the sub-volume in which it began.
 static inline bool voxc_d4_4_4_5_g4_within_level_1(ivec3 cell) { return voxc_d4_4_4_5_g4_is_in_volume(cell); }
 
 // Steps from an empty cell to the first whose L1 distance is not below `left`, or that lies outside the sub-volume; no
 // lookup is needed on the way.
-static inline void voxc_d4_4_4_5_g4_march_level_1(const voxc_d4_4_4_5_g4_Ray &ray, voxc_d4_4_4_5_g4_Walk &walk,
-    int left) {
+static inline void voxc_d4_4_4_5_g4_march_level_1(const voxc_d4_4_4_5_g4_Ray &ray,
+    voxc_d4_4_4_5_g4_Traversal &traversal, int left) {
   const int side = 1 << voxc_d4_4_4_5_g4_LEVEL_1_LOG2_CELL;
-  ivec3 face = voxc_d4_4_4_5_g4_corner_of(walk.cell, voxc_d4_4_4_5_g4_LEVEL_1_LOG2_CELL) + (ray.ahead & side);
+  ivec3 face = voxc_d4_4_4_5_g4_corner_of(traversal.cell, voxc_d4_4_4_5_g4_LEVEL_1_LOG2_CELL) + (ray.ahead & side);
   ivec3 corner;
   voxc_d4_4_4_5_g4_Exit leaving = voxc_d4_4_4_5_g4_Exit(0.0f, bvec3(false), true);
   // The condition stands at the head: Mesa 22.3's llvmpipe lets lanes that leave a loop further down run on.
@@ -98,17 +98,19 @@ static inline void voxc_d4_4_4_5_g4_march_level_1(const voxc_d4_4_4_5_g4_Ray &ra
   }
   if (side > 1)
     corner = voxc_d4_4_4_5_g4_cell_beyond(ray, vec3(face), leaving);
-  voxc_d4_4_4_5_g4_end_step(walk, leaving, corner, voxc_d4_4_4_5_g4_Gap(voxc_d4_4_4_5_g4_LEVEL_1_LOG2_CELL, 1));
+  voxc_d4_4_4_5_g4_end_step(traversal, leaving, corner, voxc_d4_4_4_5_g4_EmptySpan(voxc_d4_4_4_5_g4_LEVEL_1_LOG2_CELL,
+      1));
 }
 
 static inline bool voxc_d4_4_4_5_g4_intersect_level_1(const unsigned int *volume, const voxc_d4_4_4_5_g4_Ray &ray,
-    voxc_d4_4_4_5_g4_Walk &walk, uint grid) {
-  while (voxc_d4_4_4_5_g4_goes_on(walk)) {
-    voxc_d4_4_4_5_g4_Gap gap = voxc_d4_4_4_5_g4_Gap(voxc_d4_4_4_5_g4_LEVEL_1_LOG2_CELL, 1);
-    uint value = voxc_d4_4_4_5_g4_look_up_level_1(volume, grid, walk.cell >> voxc_d4_4_4_5_g4_LEVEL_1_LOG2_CELL, gap);
+    voxc_d4_4_4_5_g4_Traversal &traversal, uint grid) {
+  while (voxc_d4_4_4_5_g4_goes_on(traversal)) {
+    voxc_d4_4_4_5_g4_EmptySpan span = voxc_d4_4_4_5_g4_EmptySpan(voxc_d4_4_4_5_g4_LEVEL_1_LOG2_CELL, 1);
+    uint value = voxc_d4_4_4_5_g4_look_up_level_1(volume, grid, traversal.cell >> voxc_d4_4_4_5_g4_LEVEL_1_LOG2_CELL,
+        span);
     if (value == 0u) {
-      voxc_d4_4_4_5_g4_march_level_1(ray, walk, gap.count);
-    } else if (voxc_d4_4_4_5_g4_intersect_level_2(volume, ray, walk, value)) {
+      voxc_d4_4_4_5_g4_march_level_1(ray, traversal, span.count);
+    } else if (voxc_d4_4_4_5_g4_intersect_level_2(volume, ray, traversal, value)) {
       return true;
     }
   }
@@ -116,7 +118,7 @@ static inline bool voxc_d4_4_4_5_g4_intersect_level_1(const unsigned int *volume
 }
 
 // What a voxel is: here its value is its colour.
-static inline uint voxc_d4_4_4_5_g4_colour_of(const unsigned int *volume, const voxc_d4_4_4_5_g4_Walk &walk) {
-  return voxc_d4_4_4_5_g4_load_word(volume, walk.voxel);
+static inline uint voxc_d4_4_4_5_g4_colour_of(const unsigned int *volume, const voxc_d4_4_4_5_g4_Traversal &traversal) {
+  return voxc_d4_4_4_5_g4_load_word(volume, traversal.voxel);
 }
 

@@ -25,15 +25,15 @@ fn voxc_d4_4_4_5_g4_child_level_2(volume: u32, node: u32, cell: vec3<i32>, heigh
   return voxc_d4_4_4_5_g4_load_word(volume, node + 1u + countOneBits(masks & ((1u << u32(child)) - 1u)));
 }
 
-// path[i] is the node i layers above the cells around the walk's cell: a step climbs only to the ancestor of the old
-// cell and the new.
-fn voxc_d4_4_4_5_g4_intersect_level_2(volume: u32, ray: voxc_d4_4_4_5_g4_Ray, walk: ptr<function,
-    voxc_d4_4_4_5_g4_Walk>, root: u32) -> bool {
+// path[i] is the node i layers above the cells around the traversal's cell: a step climbs only to the ancestor of the
+// old cell and the new.
+fn voxc_d4_4_4_5_g4_intersect_level_2(volume: u32, ray: voxc_d4_4_4_5_g4_Ray, traversal: ptr<function,
+    voxc_d4_4_4_5_g4_Traversal>, root: u32) -> bool {
   var path: array<u32, voxc_d4_4_4_5_g4_LEVEL_2_DEPTH + 1>;
   path[voxc_d4_4_4_5_g4_LEVEL_2_DEPTH] = root;
   var top: i32 = voxc_d4_4_4_5_g4_LEVEL_2_DEPTH;
   for (;;) {
-    let cell = (*walk).cell >> vec3<u32>(u32(voxc_d4_4_4_5_g4_LEVEL_2_LOG2_CELL));
+    let cell = (*traversal).cell >> vec3<u32>(u32(voxc_d4_4_4_5_g4_LEVEL_2_LOG2_CELL));
     var node: u32 = path[top];
     var layer: i32 = top;
     var leaf: bool = false;
@@ -42,13 +42,13 @@ fn voxc_d4_4_4_5_g4_intersect_level_2(volume: u32, ray: voxc_d4_4_4_5_g4_Ray, wa
       layer--;
       node = voxc_d4_4_4_5_g4_child_level_2(volume, node, cell, layer, &leaf);
     }
-    let before = (*walk).cell;
+    let before = (*traversal).cell;
     if (node == 0u) {
-      voxc_d4_4_4_5_g4_step_over_int(ray, walk, voxc_d4_4_4_5_g4_LEVEL_2_LOG2_CELL + layer);
-    } else if (leaf && voxc_d4_4_4_5_g4_intersect_voxel(walk, node)) {
+      voxc_d4_4_4_5_g4_step_over_int(ray, traversal, voxc_d4_4_4_5_g4_LEVEL_2_LOG2_CELL + layer);
+    } else if (leaf && voxc_d4_4_4_5_g4_intersect_voxel(traversal, node)) {
       return true;
     }
-    let changed = before ^ (*walk).cell;
+    let changed = before ^ (*traversal).cell;
     let highest = i32(firstLeadingBit(u32(changed.x | changed.y | changed.z)));
     if (highest >= voxc_d4_4_4_5_g4_LEVEL_2_LOG2_SIDE) {
       return false;
@@ -69,9 +69,9 @@ fn voxc_d4_4_4_5_g4_slot_level_1(grid: u32, cell: vec3<i32>) -> u32 {
       + (at.z << u32(voxc_d4_4_4_5_g4_LEVEL_1_LOG2_SIZE.y))) << u32(voxc_d4_4_4_5_g4_LEVEL_1_LOG2_SIZE.x)));
 }
 
-// The value of a cell, or 0 if it is empty; `gap` then counts the cells of its distance.
-fn voxc_d4_4_4_5_g4_look_up_level_1(volume: u32, grid: u32, cell: vec3<i32>, gap: ptr<function,
-    voxc_d4_4_4_5_g4_Gap>) -> u32 {
+// The value of a cell, or 0 if it is empty; `span` then counts the cells of its distance.
+fn voxc_d4_4_4_5_g4_look_up_level_1(volume: u32, grid: u32, cell: vec3<i32>, span: ptr<function,
+    voxc_d4_4_4_5_g4_EmptySpan>) -> u32 {
   let slot = voxc_d4_4_4_5_g4_slot_level_1(grid, cell);
   let word = voxc_d4_4_4_5_g4_load_word(volume, slot);
   // The distance stands behind the value.
@@ -81,20 +81,20 @@ fn voxc_d4_4_4_5_g4_look_up_level_1(volume: u32, grid: u32, cell: vec3<i32>, gap
   } else {
     skip = 0u;
   }
-  (*gap).count = i32(skip & 0x7fffffffu);
+  (*span).count = i32(skip & 0x7fffffffu);
   return word;
 }
 
-// Whether a walk is still in the sub-volume in which it began.
+// Whether a traversal is still in the sub-volume in which it began.
 fn voxc_d4_4_4_5_g4_within_level_1(cell: vec3<i32>) -> bool { return voxc_d4_4_4_5_g4_is_in_volume(cell); }
 
 // Steps from an empty cell to the first whose L1 distance is not below `left`, or that lies outside the sub-volume; no
 // lookup is needed on the way.
-fn voxc_d4_4_4_5_g4_march_level_1(ray: voxc_d4_4_4_5_g4_Ray, walk: ptr<function, voxc_d4_4_4_5_g4_Walk>,
+fn voxc_d4_4_4_5_g4_march_level_1(ray: voxc_d4_4_4_5_g4_Ray, traversal: ptr<function, voxc_d4_4_4_5_g4_Traversal>,
     given_left: i32) {
   var left: i32 = given_left;
   let side = 1 << u32(voxc_d4_4_4_5_g4_LEVEL_1_LOG2_CELL);
-  var face: vec3<i32> = voxc_d4_4_4_5_g4_corner_of((*walk).cell,
+  var face: vec3<i32> = voxc_d4_4_4_5_g4_corner_of((*traversal).cell,
       voxc_d4_4_4_5_g4_LEVEL_1_LOG2_CELL) + (ray.ahead & vec3<i32>(side));
   var corner: vec3<i32>;
   var leaving: voxc_d4_4_4_5_g4_Exit = voxc_d4_4_4_5_g4_Exit(0.0f, vec3<bool>(false), true);
@@ -109,18 +109,19 @@ fn voxc_d4_4_4_5_g4_march_level_1(ray: voxc_d4_4_4_5_g4_Ray, walk: ptr<function,
   if (side > 1) {
     corner = voxc_d4_4_4_5_g4_cell_beyond(ray, vec3<f32>(face), &leaving);
   }
-  voxc_d4_4_4_5_g4_end_step(walk, leaving, corner, voxc_d4_4_4_5_g4_Gap(voxc_d4_4_4_5_g4_LEVEL_1_LOG2_CELL, 1));
+  voxc_d4_4_4_5_g4_end_step(traversal, leaving, corner, voxc_d4_4_4_5_g4_EmptySpan(voxc_d4_4_4_5_g4_LEVEL_1_LOG2_CELL,
+      1));
 }
 
-fn voxc_d4_4_4_5_g4_intersect_level_1(volume: u32, ray: voxc_d4_4_4_5_g4_Ray, walk: ptr<function,
-    voxc_d4_4_4_5_g4_Walk>, grid: u32) -> bool {
-  while (voxc_d4_4_4_5_g4_goes_on(*walk)) {
-    var gap: voxc_d4_4_4_5_g4_Gap = voxc_d4_4_4_5_g4_Gap(voxc_d4_4_4_5_g4_LEVEL_1_LOG2_CELL, 1);
+fn voxc_d4_4_4_5_g4_intersect_level_1(volume: u32, ray: voxc_d4_4_4_5_g4_Ray, traversal: ptr<function,
+    voxc_d4_4_4_5_g4_Traversal>, grid: u32) -> bool {
+  while (voxc_d4_4_4_5_g4_goes_on(*traversal)) {
+    var span: voxc_d4_4_4_5_g4_EmptySpan = voxc_d4_4_4_5_g4_EmptySpan(voxc_d4_4_4_5_g4_LEVEL_1_LOG2_CELL, 1);
     let value = voxc_d4_4_4_5_g4_look_up_level_1(volume, grid,
-        (*walk).cell >> vec3<u32>(u32(voxc_d4_4_4_5_g4_LEVEL_1_LOG2_CELL)), &gap);
+        (*traversal).cell >> vec3<u32>(u32(voxc_d4_4_4_5_g4_LEVEL_1_LOG2_CELL)), &span);
     if (value == 0u) {
-      voxc_d4_4_4_5_g4_march_level_1(ray, walk, gap.count);
-    } else if (voxc_d4_4_4_5_g4_intersect_level_2(volume, ray, walk, value)) {
+      voxc_d4_4_4_5_g4_march_level_1(ray, traversal, span.count);
+    } else if (voxc_d4_4_4_5_g4_intersect_level_2(volume, ray, traversal, value)) {
       return true;
     }
   }
@@ -128,7 +129,7 @@ fn voxc_d4_4_4_5_g4_intersect_level_1(volume: u32, ray: voxc_d4_4_4_5_g4_Ray, wa
 }
 
 // What a voxel is: here its value is its colour.
-fn voxc_d4_4_4_5_g4_colour_of(volume: u32, walk: voxc_d4_4_4_5_g4_Walk) -> u32 {
-  return voxc_d4_4_4_5_g4_load_word(volume, walk.voxel);
+fn voxc_d4_4_4_5_g4_colour_of(volume: u32, traversal: voxc_d4_4_4_5_g4_Traversal) -> u32 {
+  return voxc_d4_4_4_5_g4_load_word(volume, traversal.voxel);
 }
 

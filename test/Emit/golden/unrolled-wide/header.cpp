@@ -92,7 +92,7 @@ static inline uint voxc_g4_2_g2_ranked_child_level_2(const unsigned int *volume,
   return voxc_g4_2_g2_ranked_slot_level_2(volume, node, cell, height, children, leaves, leaf, rank);
 }
 
-// Whether a walk is still in the sub-volume in which it began.
+// Whether a traversal is still in the sub-volume in which it began.
 static inline bool voxc_g4_2_g2_within_level_2(ivec3 begin, ivec3 cell) {
   return voxc_g4_2_g2_is_same_cube(begin, cell, voxc_g4_2_g2_LEVEL_2_LOG2_SIDE);
 }
@@ -100,15 +100,15 @@ static inline bool voxc_g4_2_g2_within_level_2(ivec3 begin, ivec3 cell) {
 // Goes along the ray through a node of a layer, counted from the cells, child after child, to the first leaf, or to the
 // first node that looks small, if some do; 0 if there is none.
 static inline uint voxc_g4_2_g2_seek_level_2_layer_1(const unsigned int *volume, const voxc_g4_2_g2_Ray &ray,
-    voxc_g4_2_g2_Walk &walk, uint node, bool &leaf) {
+    voxc_g4_2_g2_Traversal &traversal, uint node, bool &leaf) {
   const int height = voxc_g4_2_g2_LEVEL_2_LOG2_CELL;
-  ivec3 begin = walk.cell;
+  ivec3 begin = traversal.cell;
   uint found = 0u;
   leaf = false;
-  while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, walk.cell, height + 1)) {
-    uint child = voxc_g4_2_g2_child_level_2(volume, node, walk.cell, height, leaf);
+  while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, traversal.cell, height + 1)) {
+    uint child = voxc_g4_2_g2_child_level_2(volume, node, traversal.cell, height, leaf);
     if (child == 0u)
-      voxc_g4_2_g2_step_over(ray, walk, height);
+      voxc_g4_2_g2_step_over(ray, traversal, height);
     else
       found = child;
   }
@@ -118,18 +118,18 @@ static inline uint voxc_g4_2_g2_seek_level_2_layer_1(const unsigned int *volume,
 // Goes along the ray through a node of a layer, counted from the cells, child after child, to the first leaf, or to the
 // first node that looks small, if some do; 0 if there is none.
 static inline uint voxc_g4_2_g2_seek_level_2_layer_2(const unsigned int *volume, const voxc_g4_2_g2_Ray &ray,
-    voxc_g4_2_g2_Walk &walk, uint node, bool &leaf) {
+    voxc_g4_2_g2_Traversal &traversal, uint node, bool &leaf) {
   const int height = voxc_g4_2_g2_LEVEL_2_LOG2_CELL + 1;
-  ivec3 begin = walk.cell;
+  ivec3 begin = traversal.cell;
   uint found = 0u;
   leaf = false;
-  while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, walk.cell, height + 1)) {
-    uint child = voxc_g4_2_g2_child_level_2(volume, node, walk.cell, height, leaf);
+  while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, traversal.cell, height + 1)) {
+    uint child = voxc_g4_2_g2_child_level_2(volume, node, traversal.cell, height, leaf);
     bool last = child == 0u || leaf;
     if (child == 0u)
-      voxc_g4_2_g2_step_over(ray, walk, height);
+      voxc_g4_2_g2_step_over(ray, traversal, height);
     else if (!last)
-      found = voxc_g4_2_g2_seek_level_2_layer_1(volume, ray, walk, child, leaf);
+      found = voxc_g4_2_g2_seek_level_2_layer_1(volume, ray, traversal, child, leaf);
     else
       found = child;
   }
@@ -137,11 +137,11 @@ static inline uint voxc_g4_2_g2_seek_level_2_layer_2(const unsigned int *volume,
 }
 
 static inline bool voxc_g4_2_g2_intersect_level_2(const unsigned int *volume, const voxc_g4_2_g2_Ray &ray,
-    voxc_g4_2_g2_Walk &walk, uint root) {
-  ivec3 begin = walk.cell;
-  while (voxc_g4_2_g2_within_level_2(begin, walk.cell)) {
+    voxc_g4_2_g2_Traversal &traversal, uint root) {
+  ivec3 begin = traversal.cell;
+  while (voxc_g4_2_g2_within_level_2(begin, traversal.cell)) {
     bool leaf;
-    uint found = voxc_g4_2_g2_seek_level_2_layer_2(volume, ray, walk, root, leaf);
+    uint found = voxc_g4_2_g2_seek_level_2_layer_2(volume, ray, traversal, root, leaf);
     if (found != 0u && voxc_g4_2_g2_intersect_voxel())
       return true;
   }
@@ -209,16 +209,16 @@ static inline uint voxc_g4_2_g2_ranked_child_level_1(const unsigned int *volume,
 // Goes along the ray through a node of a layer, counted from the cells, child after child, to the first leaf, or to the
 // first node that looks small, if some do; 0 if there is none.
 static inline uint voxc_g4_2_g2_seek_level_1_layer_1(const unsigned int *volume, const voxc_g4_2_g2_Ray &ray,
-    voxc_g4_2_g2_Walk &walk, uint node, bool &leaf) {
+    voxc_g4_2_g2_Traversal &traversal, uint node, bool &leaf) {
   const int height = voxc_g4_2_g2_LEVEL_1_LOG2_CELL;
-  ivec3 begin = walk.cell;
+  ivec3 begin = traversal.cell;
   uint found = 0u;
   leaf = false;
-  while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, walk.cell, height + voxc_g4_2_g2_LEVEL_1_BRANCH)) {
+  while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, traversal.cell, height + voxc_g4_2_g2_LEVEL_1_BRANCH)) {
     int around = 0;
-    uint child = voxc_g4_2_g2_child_level_1(volume, node, walk.cell, height, leaf, around);
+    uint child = voxc_g4_2_g2_child_level_1(volume, node, traversal.cell, height, leaf, around);
     if (child == 0u)
-      voxc_g4_2_g2_step_over(ray, walk, height + around);
+      voxc_g4_2_g2_step_over(ray, traversal, height + around);
     else
       found = child;
   }
@@ -228,19 +228,19 @@ static inline uint voxc_g4_2_g2_seek_level_1_layer_1(const unsigned int *volume,
 // Goes along the ray through a node of a layer, counted from the cells, child after child, to the first leaf, or to the
 // first node that looks small, if some do; 0 if there is none.
 static inline uint voxc_g4_2_g2_seek_level_1_layer_2(const unsigned int *volume, const voxc_g4_2_g2_Ray &ray,
-    voxc_g4_2_g2_Walk &walk, uint node, bool &leaf) {
+    voxc_g4_2_g2_Traversal &traversal, uint node, bool &leaf) {
   const int height = voxc_g4_2_g2_LEVEL_1_LOG2_CELL + voxc_g4_2_g2_LEVEL_1_BRANCH;
-  ivec3 begin = walk.cell;
+  ivec3 begin = traversal.cell;
   uint found = 0u;
   leaf = false;
-  while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, walk.cell, height + voxc_g4_2_g2_LEVEL_1_BRANCH)) {
+  while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, traversal.cell, height + voxc_g4_2_g2_LEVEL_1_BRANCH)) {
     int around = 0;
-    uint child = voxc_g4_2_g2_child_level_1(volume, node, walk.cell, height, leaf, around);
+    uint child = voxc_g4_2_g2_child_level_1(volume, node, traversal.cell, height, leaf, around);
     bool last = child == 0u || leaf;
     if (child == 0u)
-      voxc_g4_2_g2_step_over(ray, walk, height + around);
+      voxc_g4_2_g2_step_over(ray, traversal, height + around);
     else if (!last)
-      found = voxc_g4_2_g2_seek_level_1_layer_1(volume, ray, walk, child, leaf);
+      found = voxc_g4_2_g2_seek_level_1_layer_1(volume, ray, traversal, child, leaf);
     else
       found = child;
   }
@@ -248,11 +248,11 @@ static inline uint voxc_g4_2_g2_seek_level_1_layer_2(const unsigned int *volume,
 }
 
 static inline bool voxc_g4_2_g2_intersect_level_1(const unsigned int *volume, const voxc_g4_2_g2_Ray &ray,
-    voxc_g4_2_g2_Walk &walk, uint root) {
-  while (voxc_g4_2_g2_goes_on(walk)) {
+    voxc_g4_2_g2_Traversal &traversal, uint root) {
+  while (voxc_g4_2_g2_goes_on(traversal)) {
     bool leaf;
-    uint found = voxc_g4_2_g2_seek_level_1_layer_2(volume, ray, walk, root, leaf);
-    if (found != 0u && voxc_g4_2_g2_intersect_level_2(volume, ray, walk, voxc_g4_2_g2_load_word(volume, found)))
+    uint found = voxc_g4_2_g2_seek_level_1_layer_2(volume, ray, traversal, root, leaf);
+    if (found != 0u && voxc_g4_2_g2_intersect_level_2(volume, ray, traversal, voxc_g4_2_g2_load_word(volume, found)))
       return true;
   }
   return false;
@@ -352,8 +352,8 @@ static inline uint voxc_g4_2_g2_value_of_rank(const unsigned int *volume, uint r
 }
 
 // What a voxel is: here its value is its colour.
-static inline uint voxc_g4_2_g2_colour_of(const unsigned int *volume, const voxc_g4_2_g2_Walk &walk) {
+static inline uint voxc_g4_2_g2_colour_of(const unsigned int *volume, const voxc_g4_2_g2_Traversal &traversal) {
   return voxc_g4_2_g2_value_of_rank(volume, voxc_g4_2_g2_rank_level_1(volume, voxc_g4_2_g2_load_word(volume, 0u),
-      walk.cell));
+      traversal.cell));
 }
 

@@ -91,23 +91,23 @@ uint voxc_g4_2_g2_ranked_child_level_2(VOXC_VOLUME volume, uint node, ivec3 cell
   return voxc_g4_2_g2_ranked_slot_level_2(volume, node, cell, height, children, leaves, leaf, rank);
 }
 
-// Whether a walk is still in the sub-volume in which it began.
+// Whether a traversal is still in the sub-volume in which it began.
 bool voxc_g4_2_g2_within_level_2(ivec3 begin, ivec3 cell) {
   return voxc_g4_2_g2_is_same_cube(begin, cell, voxc_g4_2_g2_LEVEL_2_LOG2_SIDE);
 }
 
 // Goes along the ray through a node of a layer, counted from the cells, child after child, to the first leaf, or to the
 // first node that looks small, if some do; 0 if there is none.
-uint voxc_g4_2_g2_seek_level_2_layer_1(VOXC_VOLUME volume, const voxc_g4_2_g2_Ray ray, inout voxc_g4_2_g2_Walk walk,
-    uint node, out bool leaf) {
+uint voxc_g4_2_g2_seek_level_2_layer_1(VOXC_VOLUME volume, const voxc_g4_2_g2_Ray ray,
+    inout voxc_g4_2_g2_Traversal traversal, uint node, out bool leaf) {
   const int height = voxc_g4_2_g2_LEVEL_2_LOG2_CELL;
-  ivec3 begin = walk.cell;
+  ivec3 begin = traversal.cell;
   uint found = 0u;
   leaf = false;
-  while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, walk.cell, height + 1)) {
-    uint child = voxc_g4_2_g2_child_level_2(volume, node, walk.cell, height, leaf);
+  while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, traversal.cell, height + 1)) {
+    uint child = voxc_g4_2_g2_child_level_2(volume, node, traversal.cell, height, leaf);
     if (child == 0u)
-      voxc_g4_2_g2_step_over(ray, walk, height);
+      voxc_g4_2_g2_step_over(ray, traversal, height);
     else
       found = child;
   }
@@ -116,31 +116,31 @@ uint voxc_g4_2_g2_seek_level_2_layer_1(VOXC_VOLUME volume, const voxc_g4_2_g2_Ra
 
 // Goes along the ray through a node of a layer, counted from the cells, child after child, to the first leaf, or to the
 // first node that looks small, if some do; 0 if there is none.
-uint voxc_g4_2_g2_seek_level_2_layer_2(VOXC_VOLUME volume, const voxc_g4_2_g2_Ray ray, inout voxc_g4_2_g2_Walk walk,
-    uint node, out bool leaf) {
+uint voxc_g4_2_g2_seek_level_2_layer_2(VOXC_VOLUME volume, const voxc_g4_2_g2_Ray ray,
+    inout voxc_g4_2_g2_Traversal traversal, uint node, out bool leaf) {
   const int height = voxc_g4_2_g2_LEVEL_2_LOG2_CELL + 1;
-  ivec3 begin = walk.cell;
+  ivec3 begin = traversal.cell;
   uint found = 0u;
   leaf = false;
-  while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, walk.cell, height + 1)) {
-    uint child = voxc_g4_2_g2_child_level_2(volume, node, walk.cell, height, leaf);
+  while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, traversal.cell, height + 1)) {
+    uint child = voxc_g4_2_g2_child_level_2(volume, node, traversal.cell, height, leaf);
     bool last = child == 0u || leaf;
     if (child == 0u)
-      voxc_g4_2_g2_step_over(ray, walk, height);
+      voxc_g4_2_g2_step_over(ray, traversal, height);
     else if (!last)
-      found = voxc_g4_2_g2_seek_level_2_layer_1(volume, ray, walk, child, leaf);
+      found = voxc_g4_2_g2_seek_level_2_layer_1(volume, ray, traversal, child, leaf);
     else
       found = child;
   }
   return found;
 }
 
-bool voxc_g4_2_g2_intersect_level_2(VOXC_VOLUME volume, const voxc_g4_2_g2_Ray ray, inout voxc_g4_2_g2_Walk walk,
-    uint root) {
-  ivec3 begin = walk.cell;
-  while (voxc_g4_2_g2_within_level_2(begin, walk.cell)) {
+bool voxc_g4_2_g2_intersect_level_2(VOXC_VOLUME volume, const voxc_g4_2_g2_Ray ray,
+    inout voxc_g4_2_g2_Traversal traversal, uint root) {
+  ivec3 begin = traversal.cell;
+  while (voxc_g4_2_g2_within_level_2(begin, traversal.cell)) {
     bool leaf;
-    uint found = voxc_g4_2_g2_seek_level_2_layer_2(volume, ray, walk, root, leaf);
+    uint found = voxc_g4_2_g2_seek_level_2_layer_2(volume, ray, traversal, root, leaf);
     if (found != 0u && voxc_g4_2_g2_intersect_voxel())
       return true;
   }
@@ -207,17 +207,17 @@ uint voxc_g4_2_g2_ranked_child_level_1(VOXC_VOLUME volume, uint node, ivec3 cell
 
 // Goes along the ray through a node of a layer, counted from the cells, child after child, to the first leaf, or to the
 // first node that looks small, if some do; 0 if there is none.
-uint voxc_g4_2_g2_seek_level_1_layer_1(VOXC_VOLUME volume, const voxc_g4_2_g2_Ray ray, inout voxc_g4_2_g2_Walk walk,
-    uint node, out bool leaf) {
+uint voxc_g4_2_g2_seek_level_1_layer_1(VOXC_VOLUME volume, const voxc_g4_2_g2_Ray ray,
+    inout voxc_g4_2_g2_Traversal traversal, uint node, out bool leaf) {
   const int height = voxc_g4_2_g2_LEVEL_1_LOG2_CELL;
-  ivec3 begin = walk.cell;
+  ivec3 begin = traversal.cell;
   uint found = 0u;
   leaf = false;
-  while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, walk.cell, height + voxc_g4_2_g2_LEVEL_1_BRANCH)) {
+  while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, traversal.cell, height + voxc_g4_2_g2_LEVEL_1_BRANCH)) {
     int around = 0;
-    uint child = voxc_g4_2_g2_child_level_1(volume, node, walk.cell, height, leaf, around);
+    uint child = voxc_g4_2_g2_child_level_1(volume, node, traversal.cell, height, leaf, around);
     if (child == 0u)
-      voxc_g4_2_g2_step_over(ray, walk, height + around);
+      voxc_g4_2_g2_step_over(ray, traversal, height + around);
     else
       found = child;
   }
@@ -226,32 +226,32 @@ uint voxc_g4_2_g2_seek_level_1_layer_1(VOXC_VOLUME volume, const voxc_g4_2_g2_Ra
 
 // Goes along the ray through a node of a layer, counted from the cells, child after child, to the first leaf, or to the
 // first node that looks small, if some do; 0 if there is none.
-uint voxc_g4_2_g2_seek_level_1_layer_2(VOXC_VOLUME volume, const voxc_g4_2_g2_Ray ray, inout voxc_g4_2_g2_Walk walk,
-    uint node, out bool leaf) {
+uint voxc_g4_2_g2_seek_level_1_layer_2(VOXC_VOLUME volume, const voxc_g4_2_g2_Ray ray,
+    inout voxc_g4_2_g2_Traversal traversal, uint node, out bool leaf) {
   const int height = voxc_g4_2_g2_LEVEL_1_LOG2_CELL + voxc_g4_2_g2_LEVEL_1_BRANCH;
-  ivec3 begin = walk.cell;
+  ivec3 begin = traversal.cell;
   uint found = 0u;
   leaf = false;
-  while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, walk.cell, height + voxc_g4_2_g2_LEVEL_1_BRANCH)) {
+  while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, traversal.cell, height + voxc_g4_2_g2_LEVEL_1_BRANCH)) {
     int around = 0;
-    uint child = voxc_g4_2_g2_child_level_1(volume, node, walk.cell, height, leaf, around);
+    uint child = voxc_g4_2_g2_child_level_1(volume, node, traversal.cell, height, leaf, around);
     bool last = child == 0u || leaf;
     if (child == 0u)
-      voxc_g4_2_g2_step_over(ray, walk, height + around);
+      voxc_g4_2_g2_step_over(ray, traversal, height + around);
     else if (!last)
-      found = voxc_g4_2_g2_seek_level_1_layer_1(volume, ray, walk, child, leaf);
+      found = voxc_g4_2_g2_seek_level_1_layer_1(volume, ray, traversal, child, leaf);
     else
       found = child;
   }
   return found;
 }
 
-bool voxc_g4_2_g2_intersect_level_1(VOXC_VOLUME volume, const voxc_g4_2_g2_Ray ray, inout voxc_g4_2_g2_Walk walk,
-    uint root) {
-  while (voxc_g4_2_g2_goes_on(walk)) {
+bool voxc_g4_2_g2_intersect_level_1(VOXC_VOLUME volume, const voxc_g4_2_g2_Ray ray,
+    inout voxc_g4_2_g2_Traversal traversal, uint root) {
+  while (voxc_g4_2_g2_goes_on(traversal)) {
     bool leaf;
-    uint found = voxc_g4_2_g2_seek_level_1_layer_2(volume, ray, walk, root, leaf);
-    if (found != 0u && voxc_g4_2_g2_intersect_level_2(volume, ray, walk, voxc_g4_2_g2_load_word(volume, found)))
+    uint found = voxc_g4_2_g2_seek_level_1_layer_2(volume, ray, traversal, root, leaf);
+    if (found != 0u && voxc_g4_2_g2_intersect_level_2(volume, ray, traversal, voxc_g4_2_g2_load_word(volume, found)))
       return true;
   }
   return false;
@@ -351,8 +351,8 @@ uint voxc_g4_2_g2_value_of_rank(VOXC_VOLUME volume, uint rank) {
 }
 
 // What a voxel is: here its value is its colour.
-uint voxc_g4_2_g2_colour_of(VOXC_VOLUME volume, const voxc_g4_2_g2_Walk walk) {
+uint voxc_g4_2_g2_colour_of(VOXC_VOLUME volume, const voxc_g4_2_g2_Traversal traversal) {
   return voxc_g4_2_g2_value_of_rank(volume, voxc_g4_2_g2_rank_level_1(volume, voxc_g4_2_g2_load_word(volume, 0u),
-      walk.cell));
+      traversal.cell));
 }
 

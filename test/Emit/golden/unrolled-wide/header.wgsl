@@ -104,23 +104,23 @@ fn voxc_g4_2_g2_ranked_child_level_2(volume: u32, node: u32, cell: vec3<i32>, he
   return voxc_g4_2_g2_ranked_slot_level_2(volume, node, cell, height, children, leaves, *leaf, rank);
 }
 
-// Whether a walk is still in the sub-volume in which it began.
+// Whether a traversal is still in the sub-volume in which it began.
 fn voxc_g4_2_g2_within_level_2(begin: vec3<i32>, cell: vec3<i32>) -> bool {
   return voxc_g4_2_g2_is_same_cube(begin, cell, voxc_g4_2_g2_LEVEL_2_LOG2_SIDE);
 }
 
 // Goes along the ray through a node of a layer, counted from the cells, child after child, to the first leaf, or to the
 // first node that looks small, if some do; 0 if there is none.
-fn voxc_g4_2_g2_seek_level_2_layer_1(volume: u32, ray: voxc_g4_2_g2_Ray, walk: ptr<function, voxc_g4_2_g2_Walk>,
-    node: u32, leaf: ptr<function, bool>) -> u32 {
+fn voxc_g4_2_g2_seek_level_2_layer_1(volume: u32, ray: voxc_g4_2_g2_Ray, traversal: ptr<function,
+    voxc_g4_2_g2_Traversal>, node: u32, leaf: ptr<function, bool>) -> u32 {
   let height = voxc_g4_2_g2_LEVEL_2_LOG2_CELL;
-  let begin = (*walk).cell;
+  let begin = (*traversal).cell;
   var found: u32 = 0u;
   *leaf = false;
-  while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, (*walk).cell, height + 1)) {
-    let child = voxc_g4_2_g2_child_level_2(volume, node, (*walk).cell, height, leaf);
+  while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, (*traversal).cell, height + 1)) {
+    let child = voxc_g4_2_g2_child_level_2(volume, node, (*traversal).cell, height, leaf);
     if (child == 0u) {
-      voxc_g4_2_g2_step_over_int(ray, walk, height);
+      voxc_g4_2_g2_step_over_int(ray, traversal, height);
     } else {
       found = child;
     }
@@ -130,19 +130,19 @@ fn voxc_g4_2_g2_seek_level_2_layer_1(volume: u32, ray: voxc_g4_2_g2_Ray, walk: p
 
 // Goes along the ray through a node of a layer, counted from the cells, child after child, to the first leaf, or to the
 // first node that looks small, if some do; 0 if there is none.
-fn voxc_g4_2_g2_seek_level_2_layer_2(volume: u32, ray: voxc_g4_2_g2_Ray, walk: ptr<function, voxc_g4_2_g2_Walk>,
-    node: u32, leaf: ptr<function, bool>) -> u32 {
+fn voxc_g4_2_g2_seek_level_2_layer_2(volume: u32, ray: voxc_g4_2_g2_Ray, traversal: ptr<function,
+    voxc_g4_2_g2_Traversal>, node: u32, leaf: ptr<function, bool>) -> u32 {
   let height = voxc_g4_2_g2_LEVEL_2_LOG2_CELL + 1;
-  let begin = (*walk).cell;
+  let begin = (*traversal).cell;
   var found: u32 = 0u;
   *leaf = false;
-  while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, (*walk).cell, height + 1)) {
-    let child = voxc_g4_2_g2_child_level_2(volume, node, (*walk).cell, height, leaf);
+  while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, (*traversal).cell, height + 1)) {
+    let child = voxc_g4_2_g2_child_level_2(volume, node, (*traversal).cell, height, leaf);
     let last = (child == 0u) || *leaf;
     if (child == 0u) {
-      voxc_g4_2_g2_step_over_int(ray, walk, height);
+      voxc_g4_2_g2_step_over_int(ray, traversal, height);
     } else if (!last) {
-      found = voxc_g4_2_g2_seek_level_2_layer_1(volume, ray, walk, child, leaf);
+      found = voxc_g4_2_g2_seek_level_2_layer_1(volume, ray, traversal, child, leaf);
     } else {
       found = child;
     }
@@ -150,12 +150,12 @@ fn voxc_g4_2_g2_seek_level_2_layer_2(volume: u32, ray: voxc_g4_2_g2_Ray, walk: p
   return found;
 }
 
-fn voxc_g4_2_g2_intersect_level_2(volume: u32, ray: voxc_g4_2_g2_Ray, walk: ptr<function, voxc_g4_2_g2_Walk>,
+fn voxc_g4_2_g2_intersect_level_2(volume: u32, ray: voxc_g4_2_g2_Ray, traversal: ptr<function, voxc_g4_2_g2_Traversal>,
     root: u32) -> bool {
-  let begin = (*walk).cell;
-  while (voxc_g4_2_g2_within_level_2(begin, (*walk).cell)) {
+  let begin = (*traversal).cell;
+  while (voxc_g4_2_g2_within_level_2(begin, (*traversal).cell)) {
     var leaf: bool;
-    let found = voxc_g4_2_g2_seek_level_2_layer_2(volume, ray, walk, root, &leaf);
+    let found = voxc_g4_2_g2_seek_level_2_layer_2(volume, ray, traversal, root, &leaf);
     if (found != 0u && voxc_g4_2_g2_intersect_voxel()) {
       return true;
     }
@@ -232,17 +232,17 @@ fn voxc_g4_2_g2_ranked_child_level_1(volume: u32, node: u32, cell: vec3<i32>, he
 
 // Goes along the ray through a node of a layer, counted from the cells, child after child, to the first leaf, or to the
 // first node that looks small, if some do; 0 if there is none.
-fn voxc_g4_2_g2_seek_level_1_layer_1(volume: u32, ray: voxc_g4_2_g2_Ray, walk: ptr<function, voxc_g4_2_g2_Walk>,
-    node: u32, leaf: ptr<function, bool>) -> u32 {
+fn voxc_g4_2_g2_seek_level_1_layer_1(volume: u32, ray: voxc_g4_2_g2_Ray, traversal: ptr<function,
+    voxc_g4_2_g2_Traversal>, node: u32, leaf: ptr<function, bool>) -> u32 {
   let height = voxc_g4_2_g2_LEVEL_1_LOG2_CELL;
-  let begin = (*walk).cell;
+  let begin = (*traversal).cell;
   var found: u32 = 0u;
   *leaf = false;
-  while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, (*walk).cell, height + voxc_g4_2_g2_LEVEL_1_BRANCH)) {
+  while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, (*traversal).cell, height + voxc_g4_2_g2_LEVEL_1_BRANCH)) {
     var around: i32 = 0;
-    let child = voxc_g4_2_g2_child_level_1(volume, node, (*walk).cell, height, leaf, &around);
+    let child = voxc_g4_2_g2_child_level_1(volume, node, (*traversal).cell, height, leaf, &around);
     if (child == 0u) {
-      voxc_g4_2_g2_step_over_int(ray, walk, height + around);
+      voxc_g4_2_g2_step_over_int(ray, traversal, height + around);
     } else {
       found = child;
     }
@@ -252,20 +252,20 @@ fn voxc_g4_2_g2_seek_level_1_layer_1(volume: u32, ray: voxc_g4_2_g2_Ray, walk: p
 
 // Goes along the ray through a node of a layer, counted from the cells, child after child, to the first leaf, or to the
 // first node that looks small, if some do; 0 if there is none.
-fn voxc_g4_2_g2_seek_level_1_layer_2(volume: u32, ray: voxc_g4_2_g2_Ray, walk: ptr<function, voxc_g4_2_g2_Walk>,
-    node: u32, leaf: ptr<function, bool>) -> u32 {
+fn voxc_g4_2_g2_seek_level_1_layer_2(volume: u32, ray: voxc_g4_2_g2_Ray, traversal: ptr<function,
+    voxc_g4_2_g2_Traversal>, node: u32, leaf: ptr<function, bool>) -> u32 {
   let height = voxc_g4_2_g2_LEVEL_1_LOG2_CELL + voxc_g4_2_g2_LEVEL_1_BRANCH;
-  let begin = (*walk).cell;
+  let begin = (*traversal).cell;
   var found: u32 = 0u;
   *leaf = false;
-  while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, (*walk).cell, height + voxc_g4_2_g2_LEVEL_1_BRANCH)) {
+  while (found == 0u && voxc_g4_2_g2_is_same_cube(begin, (*traversal).cell, height + voxc_g4_2_g2_LEVEL_1_BRANCH)) {
     var around: i32 = 0;
-    let child = voxc_g4_2_g2_child_level_1(volume, node, (*walk).cell, height, leaf, &around);
+    let child = voxc_g4_2_g2_child_level_1(volume, node, (*traversal).cell, height, leaf, &around);
     let last = (child == 0u) || *leaf;
     if (child == 0u) {
-      voxc_g4_2_g2_step_over_int(ray, walk, height + around);
+      voxc_g4_2_g2_step_over_int(ray, traversal, height + around);
     } else if (!last) {
-      found = voxc_g4_2_g2_seek_level_1_layer_1(volume, ray, walk, child, leaf);
+      found = voxc_g4_2_g2_seek_level_1_layer_1(volume, ray, traversal, child, leaf);
     } else {
       found = child;
     }
@@ -273,12 +273,12 @@ fn voxc_g4_2_g2_seek_level_1_layer_2(volume: u32, ray: voxc_g4_2_g2_Ray, walk: p
   return found;
 }
 
-fn voxc_g4_2_g2_intersect_level_1(volume: u32, ray: voxc_g4_2_g2_Ray, walk: ptr<function, voxc_g4_2_g2_Walk>,
+fn voxc_g4_2_g2_intersect_level_1(volume: u32, ray: voxc_g4_2_g2_Ray, traversal: ptr<function, voxc_g4_2_g2_Traversal>,
     root: u32) -> bool {
-  while (voxc_g4_2_g2_goes_on(*walk)) {
+  while (voxc_g4_2_g2_goes_on(*traversal)) {
     var leaf: bool;
-    let found = voxc_g4_2_g2_seek_level_1_layer_2(volume, ray, walk, root, &leaf);
-    if (found != 0u && voxc_g4_2_g2_intersect_level_2(volume, ray, walk, voxc_g4_2_g2_load_word(volume, found))) {
+    let found = voxc_g4_2_g2_seek_level_1_layer_2(volume, ray, traversal, root, &leaf);
+    if (found != 0u && voxc_g4_2_g2_intersect_level_2(volume, ray, traversal, voxc_g4_2_g2_load_word(volume, found))) {
       return true;
     }
   }
@@ -390,8 +390,8 @@ fn voxc_g4_2_g2_value_of_rank(volume: u32, rank: u32) -> u32 {
 }
 
 // What a voxel is: here its value is its colour.
-fn voxc_g4_2_g2_colour_of(volume: u32, walk: voxc_g4_2_g2_Walk) -> u32 {
+fn voxc_g4_2_g2_colour_of(volume: u32, traversal: voxc_g4_2_g2_Traversal) -> u32 {
   return voxc_g4_2_g2_value_of_rank(volume, voxc_g4_2_g2_rank_level_1(volume, voxc_g4_2_g2_load_word(volume, 0u),
-      walk.cell));
+      traversal.cell));
 }
 

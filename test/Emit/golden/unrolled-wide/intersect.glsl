@@ -86,23 +86,23 @@ uint ranked_child_level_2(uint node, ivec3 cell, int height, inout uint rank, ou
   return ranked_slot_level_2(node, cell, height, children, leaves, leaf, rank);
 }
 
-// Whether a walk is still in the sub-volume in which it began.
+// Whether a traversal is still in the sub-volume in which it began.
 bool within_level_2(ivec3 begin, ivec3 cell) { return is_same_cube(begin, cell, LEVEL_2_LOG2_SIDE); }
 
 // Goes along the ray through a node of a layer, counted from the cells, child after child, to the first leaf, or to the
 // first node that looks small, if some do; 0 if there is none.
-uint seek_level_2_layer_1(const Ray ray, inout Walk walk, uint node, out bool leaf) {
+uint seek_level_2_layer_1(const Ray ray, inout Traversal traversal, uint node, out bool leaf) {
   const int height = LEVEL_2_LOG2_CELL;
-  ivec3 begin = walk.cell;
+  ivec3 begin = traversal.cell;
   uint found = 0u;
   leaf = false;
-  while (found == 0u && is_same_cube(begin, walk.cell, height + 1)) {
-    uint child = child_level_2(node, walk.cell, height, leaf);
+  while (found == 0u && is_same_cube(begin, traversal.cell, height + 1)) {
+    uint child = child_level_2(node, traversal.cell, height, leaf);
     bool last = true;
     if (last)
-      count_lookup(walk);
+      count_lookup(traversal);
     if (child == 0u)
-      step_over(ray, walk, height);
+      step_over(ray, traversal, height);
     else
       found = child;
   }
@@ -111,31 +111,31 @@ uint seek_level_2_layer_1(const Ray ray, inout Walk walk, uint node, out bool le
 
 // Goes along the ray through a node of a layer, counted from the cells, child after child, to the first leaf, or to the
 // first node that looks small, if some do; 0 if there is none.
-uint seek_level_2_layer_2(const Ray ray, inout Walk walk, uint node, out bool leaf) {
+uint seek_level_2_layer_2(const Ray ray, inout Traversal traversal, uint node, out bool leaf) {
   const int height = LEVEL_2_LOG2_CELL + 1;
-  ivec3 begin = walk.cell;
+  ivec3 begin = traversal.cell;
   uint found = 0u;
   leaf = false;
-  while (found == 0u && is_same_cube(begin, walk.cell, height + 1)) {
-    uint child = child_level_2(node, walk.cell, height, leaf);
+  while (found == 0u && is_same_cube(begin, traversal.cell, height + 1)) {
+    uint child = child_level_2(node, traversal.cell, height, leaf);
     bool last = child == 0u || leaf;
     if (last)
-      count_lookup(walk);
+      count_lookup(traversal);
     if (child == 0u)
-      step_over(ray, walk, height);
+      step_over(ray, traversal, height);
     else if (!last)
-      found = seek_level_2_layer_1(ray, walk, child, leaf);
+      found = seek_level_2_layer_1(ray, traversal, child, leaf);
     else
       found = child;
   }
   return found;
 }
 
-bool intersect_level_2(const Ray ray, inout Walk walk, uint root) {
-  ivec3 begin = walk.cell;
-  while (within_level_2(begin, walk.cell)) {
+bool intersect_level_2(const Ray ray, inout Traversal traversal, uint root) {
+  ivec3 begin = traversal.cell;
+  while (within_level_2(begin, traversal.cell)) {
     bool leaf;
-    uint found = seek_level_2_layer_2(ray, walk, root, leaf);
+    uint found = seek_level_2_layer_2(ray, traversal, root, leaf);
     if (found != 0u && intersect_voxel())
       return true;
   }
@@ -198,19 +198,19 @@ uint ranked_child_level_1(uint node, ivec3 cell, int height, inout uint rank, ou
 
 // Goes along the ray through a node of a layer, counted from the cells, child after child, to the first leaf, or to the
 // first node that looks small, if some do; 0 if there is none.
-uint seek_level_1_layer_1(const Ray ray, inout Walk walk, uint node, out bool leaf) {
+uint seek_level_1_layer_1(const Ray ray, inout Traversal traversal, uint node, out bool leaf) {
   const int height = LEVEL_1_LOG2_CELL;
-  ivec3 begin = walk.cell;
+  ivec3 begin = traversal.cell;
   uint found = 0u;
   leaf = false;
-  while (found == 0u && is_same_cube(begin, walk.cell, height + LEVEL_1_BRANCH)) {
+  while (found == 0u && is_same_cube(begin, traversal.cell, height + LEVEL_1_BRANCH)) {
     int around = 0;
-    uint child = child_level_1(node, walk.cell, height, leaf, around);
+    uint child = child_level_1(node, traversal.cell, height, leaf, around);
     bool last = true;
     if (last)
-      count_lookup(walk);
+      count_lookup(traversal);
     if (child == 0u)
-      step_over(ray, walk, height + around);
+      step_over(ray, traversal, height + around);
     else
       found = child;
   }
@@ -219,32 +219,32 @@ uint seek_level_1_layer_1(const Ray ray, inout Walk walk, uint node, out bool le
 
 // Goes along the ray through a node of a layer, counted from the cells, child after child, to the first leaf, or to the
 // first node that looks small, if some do; 0 if there is none.
-uint seek_level_1_layer_2(const Ray ray, inout Walk walk, uint node, out bool leaf) {
+uint seek_level_1_layer_2(const Ray ray, inout Traversal traversal, uint node, out bool leaf) {
   const int height = LEVEL_1_LOG2_CELL + LEVEL_1_BRANCH;
-  ivec3 begin = walk.cell;
+  ivec3 begin = traversal.cell;
   uint found = 0u;
   leaf = false;
-  while (found == 0u && is_same_cube(begin, walk.cell, height + LEVEL_1_BRANCH)) {
+  while (found == 0u && is_same_cube(begin, traversal.cell, height + LEVEL_1_BRANCH)) {
     int around = 0;
-    uint child = child_level_1(node, walk.cell, height, leaf, around);
+    uint child = child_level_1(node, traversal.cell, height, leaf, around);
     bool last = child == 0u || leaf;
     if (last)
-      count_lookup(walk);
+      count_lookup(traversal);
     if (child == 0u)
-      step_over(ray, walk, height + around);
+      step_over(ray, traversal, height + around);
     else if (!last)
-      found = seek_level_1_layer_1(ray, walk, child, leaf);
+      found = seek_level_1_layer_1(ray, traversal, child, leaf);
     else
       found = child;
   }
   return found;
 }
 
-bool intersect_level_1(const Ray ray, inout Walk walk, uint root) {
-  while (goes_on(walk)) {
+bool intersect_level_1(const Ray ray, inout Traversal traversal, uint root) {
+  while (goes_on(traversal)) {
     bool leaf;
-    uint found = seek_level_1_layer_2(ray, walk, root, leaf);
-    if (found != 0u && intersect_level_2(ray, walk, load_word(found)))
+    uint found = seek_level_1_layer_2(ray, traversal, root, leaf);
+    if (found != 0u && intersect_level_2(ray, traversal, load_word(found)))
       return true;
   }
   return false;
@@ -343,5 +343,5 @@ uint value_of_rank(uint rank) {
 }
 
 // What a voxel is: here its value is its colour.
-uint colour_of(const Walk walk) { return value_of_rank(rank_level_1(load_word(0u), walk.cell)); }
+uint colour_of(const Traversal traversal) { return value_of_rank(rank_level_1(load_word(0u), traversal.cell)); }
 

@@ -1,4 +1,4 @@
-"""Speeds that a search foretold against those that were measured."""
+"""Speeds that a search predicted against those that were measured."""
 from ..speeds import speed_unit
 from ..text import number_text, percent_text
 from ..words import standing_words, stage_title
@@ -11,19 +11,19 @@ BAND = 0.1
 
 
 def note(catalogue, prediction):
-    return (f"{prediction.entry.name}\n{number_text(prediction.foretold)} foretold, {number_text(prediction.measured)} measured: "
+    return (f"{prediction.entry.name}\n{number_text(prediction.predicted)} predicted, {number_text(prediction.measured)} measured: "
             f"off by {percent_text(prediction.error)}\n{standing_words(catalogue, prediction.entry)}")
 
 
 def draw_band(canvas):
-    """The line on which speeds are as they were foretold, and what lies close to it."""
+    """The line on which speeds are as they were predicted, and what lies close to it."""
     most = canvas.axes.get_ylim()[1]
     canvas.draw_area("beaten", [0, most * (1 - BAND), most, most], [0, most, most, most / (1 + BAND)])
     canvas.draw_line("frontier", [0, most], [0, most])
 
 
 def prediction_chart(catalogue, stage, predictions):
-    most = max(max(prediction.foretold, prediction.measured) for prediction in predictions)
+    most = max(max(prediction.predicted, prediction.measured) for prediction in predictions)
     is_crowded = len(predictions) > CROWD
     marks = [Mark(prediction.entry.look.family, prediction.entry.variant, "on" if prediction.entry.is_leading else "",
                   note(catalogue, prediction), prediction.entry.row_id, is_small=is_crowded) for prediction in predictions]
@@ -32,8 +32,8 @@ def prediction_chart(catalogue, stage, predictions):
         canvas = Canvas(width)
         set_speeds(canvas.axes.xaxis, canvas.axes.set_xlim, most)
         set_speeds(canvas.axes.yaxis, canvas.axes.set_ylim, most)
-        canvas.draw_axes("foretold", speed_unit(stage.has_clock) + " measured")
+        canvas.draw_axes("predicted", speed_unit(stage.has_clock) + " measured")
         draw_band(canvas)
-        canvas.draw_points([(prediction.foretold, prediction.measured) for prediction in predictions])
-        drawings.append(canvas.to_page(f"{stage_title(stage)}: speeds foretold and measured", marks, has_notes=width is WIDE))
+        canvas.draw_points([(prediction.predicted, prediction.measured) for prediction in predictions])
+        drawings.append(canvas.to_page(f"{stage_title(stage)}: speeds predicted and measured", marks, has_notes=width is WIDE))
     return "".join(drawings)

@@ -1,7 +1,7 @@
 """The frontiers of all models side by side: which formats are worth having everywhere."""
 from ..markup import fill, table_row, tag, text_tag
 from ..text import count_text
-from ..words import side_text, usual_words
+from ..words import side_text, common_words
 
 # A search has hundreds of formats that are on no frontier.
 MOST_NAMES = 30
@@ -61,8 +61,8 @@ def names_text(rows):
 def conditions(stages):
     """"exact steps; whole-level-dedup, unless a name says otherwise"."""
     first = stages[0]
-    return (f"{first.precision} steps; " if first.precision else "") + usual_words(
-        first.usual_passes, any(stage.has_other_passes for stage in stages))
+    return (f"{first.precision} steps; " if first.precision else "") + common_words(
+        first.common_passes, any(stage.has_other_passes for stage in stages))
 
 
 def round_html(stages):

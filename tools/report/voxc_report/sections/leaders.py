@@ -9,8 +9,8 @@ MANY_COLUMNS = 3
 COLUMNS = [
     ("Lookups", "Lookups a ray, on the mean", lambda record: record["work"].get("steps_per_ray")),
     ("Words", "Words read a ray, on the mean", lambda record: record["work"].get("words_per_ray")),
-    ("Lines", "Different cache lines a ray, as a search foretold", lambda record: record.get("predicted", {}).get("lines")),
-    ("Foretold", "The speed that a search foretold", lambda record: record.get("predicted", {}).get("mrays_per_s")),
+    ("Lines", "Different cache lines a ray, as a search predicted", lambda record: record.get("predicted", {}).get("lines")),
+    ("Predicted", "The speed that a search predicted", lambda record: record.get("predicted", {}).get("mrays_per_s")),
 ]
 
 

@@ -1,4 +1,4 @@
-"""What a search foretold beside what was measured: a chart a stage, and how right it was in words."""
+"""What a search predicted beside what was measured: a chart a stage, and how right it was in words."""
 from ..charts.prediction import prediction_chart
 from ..markup import fill, tag, text_tag
 from ..predictions import median_error, predictions_of, rank_correlation, word_predictions_of
@@ -16,15 +16,15 @@ def word_sentence(words):
     if words.all == 0:
         return ""
     if words.exact == words.all:
-        return f" All {plural(words.all, 'size')} are as foretold, to the word."
-    return (f" Of {plural(words.all, 'size')} {count_text(words.exact)} are as foretold, to the word; the others are off by "
+        return f" All {plural(words.all, 'size')} are as predicted, to the word."
+    return (f" Of {plural(words.all, 'size')} {count_text(words.exact)} are as predicted, to the word; the others are off by "
             f"{plural(words.worst, 'word')} at most.")
 
 
 def worst_sentence(predictions):
     """Who was misjudged most, for a reader who wants to know where not to trust it."""
     worst = max(predictions, key=lambda prediction: prediction.error)
-    return (f" Furthest off: {worst.entry.name}, {number_text(worst.foretold)} foretold and {number_text(worst.measured)} "
+    return (f" Furthest off: {worst.entry.name}, {number_text(worst.predicted)} predicted and {number_text(worst.measured)} "
             "measured.")
 
 
@@ -39,6 +39,6 @@ def figure(catalogue, stage):
 
 
 def prediction_section(catalogue):
-    """Speeds and sizes that a search foretold beside those that were measured."""
+    """Speeds and sizes that a search predicted beside those that were measured."""
     content = "".join(figure(catalogue, stage) for stage in catalogue.stages)
     return fill("section/predictions.html", content=content) if content else ""

@@ -1,0 +1,143 @@
+// Devices, kernels and tracers for the driver.
+#include "tracing/TraceSession.h"
+
+#include "common/OrderOption.h"
+#include "common/Statistics.h"
+#include "voxc/Kernel/Compile.h"
+#include "voxc/Kernel/CompileCpu.h"
+
+#include <cstdlib>
+
+namespace voxc::tool {
+namespace {
+
+/// Fewer are traced one by one in less time than packets take to compile.
+constexpr std::uint64_t kManyRays = 1 << 18;
+
+} // namespace
+
+void TraceSession::declare(const CommandLine &command) {
+  const OptionGroup group(command, "Device");
+  command
+      .add(
+          "--device", deviceName_,
+          "Trace on the device whose name contains this, or which has this number or UUID in 'voxc devices', "
+          "or on cpu: this processor, without Vulkan")
+      .takes("NAME")
+      .suggests({"cpu", "llvmpipe"});
+  command
+      .add("--threads", threads_,
+           "Threads that compute, also of a device that is this processor (cpu, lavapipe); default: all")
+      .takes("N")
+      .between(1u, 1024u);
+  addOrderArgument(command, order_);
+  command
+      .add("--arithmetic", arithmetic_,
+           "What kernels for a Vulkan device rely on, as of voxc compile; default: all that is known of it")
+      .takes("any|nearest|ieee")
+      .oneOf({kEnumNames<Arithmetic>.begin(), kEnumNames<Arithmetic>.end()});
+  command.addFlag("--spirv-opt", optimise_, "Optimise the kernel with spirv-opt");
+}
+
+void TraceSession::choose(const std::string &device, unsigned threads) {
+  deviceName_ = device;
+  threads_ = threads;
+}
+
+Expected<void> TraceSession::openDevice(const CommonOptions &common) {
+  if (deviceName_ == cpuDeviceInfo().name)
+    return {};
+  // Lavapipe takes its number of threads from here alone, once, when it is loaded.
+  if (threads_ > 0)
+    ::setenv("LP_NUM_THREADS", std::to_string(threads_).c_str(), 1);
+  Expected<Device> device = Device::open(deviceName_);
+  if (!device && deviceName_.empty()) {
+    if (!common.quiet)
+      printNote(device.error().message + "; tracing on the cpu instead");
+    return {};
+  }
+  if (!device)
+    return Error{device.error().kind, device.error().message + "; and cpu, this processor"};
+  device_ = std::make_unique<Device>(std::move(*device));
+  device_->useCache(cache_);
+  return {};
+}
+
+void TraceSession::expectRays(std::uint64_t rays) {
+  start_ = rays < kManyRays ? CpuStart::Soon : CpuStart::Fast;
+}
+
+Expected<void> TraceSession::prepare(const Volume &volume, const Format &format, Json &figures) {
+  auto tracer = device_ ? makeVulkanTracer(volume, format, figures) : makeCpuTracer(volume, format, figures);
+  if (!tracer)
+    return tracer.error();
+  tracer_ = std::move(*tracer);
+  return {};
+}
+
+Arithmetic TraceSession::arithmetic() const {
+  return arithmetic_.empty() ? device_->info().arithmetic : *fromString<Arithmetic>(arithmetic_);
+}
+
+Expected<std::unique_ptr<Tracer>> TraceSession::makeCpuTracer(const Volume &volume, const Format &format,
+                                                              Json &figures) {
+  const Stopwatch watch;
+  const Expected<CpuKernel> kernel = compileCpuKernel(format, {.cache = cache_, .start = start_});
+  if (!kernel)
+    return kernel.error();
+  figures["kernel_seconds"] = watch.seconds();
+  return createCpuTracer(*kernel, volume, threads_);
+}
+
+Expected<void> TraceSession::prepareToCountWords(const Volume &volume, const Format &format) {
+  if (device_)
+    return {};
+  const Expected<CpuKernel> kernel =
+      compileCpuKernel(format, {.countWords = true, .cache = cache_, .start = start_});
+  if (!kernel)
+    return kernel.error();
+  auto tracer = createCpuTracer(*kernel, volume, threads_);
+  if (!tracer)
+    return tracer.error();
+  tracer_ = std::move(*tracer);
+  return {};
+}
+
+Expected<std::unique_ptr<Tracer>> TraceSession::makeVulkanTracer(const Volume &volume, const Format &format,
+                                                                 Json &figures) {
+  const Stopwatch watch;
+  const Addressing addressing = device_->addressingFor(volume);
+  Expected<Kernel> kernel = compileKernel(format, {.addressing = addressing,
+                                                   .loops = device_->info().loops,
+                                                   .arithmetic = arithmetic(),
+                                                   .optimise = optimise_,
+                                                   .cache = cache_});
+  if (!kernel)
+    return kernel.error();
+  figures["kernel_seconds"] = watch.seconds();
+  figures["addressing"] = toString(addressing);
+
+  const Stopwatch upload;
+  Expected<std::unique_ptr<Tracer>> tracer = createTracer(*device_, *kernel, volume, threads_);
+  figures["upload_seconds"] = upload.seconds();
+  return tracer;
+}
+
+Expected<TraceReport> TraceSession::trace(const RaySpan &rays, std::span<Hit> hits,
+                                          const TraceOptions &options) {
+  TraceOptions ordered = options;
+  ordered.order = rayOrderFrom(order_);
+  return tracer_->trace(rays, hits, ordered);
+}
+
+Expected<void> TraceSession::trace(const RaySpan &rays, std::span<Hit> hits, const TraceOptions &options,
+                                   Json &figures) {
+  Expected<TraceReport> report = trace(rays, hits, options);
+  if (!report)
+    return report.error();
+  addTraceFigures(figures, *report, countsOf(hits), deviceInfo().name, options.countSteps);
+  addPagingFigures(figures);
+  return {};
+}
+
+} // namespace voxc::tool

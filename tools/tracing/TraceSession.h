@@ -1,0 +1,100 @@
+// From a volume to hits: what every command that traces shares.
+#pragma once
+
+#include "common/Command.h"
+#include "common/CommandLine.h"
+#include "common/Json.h"
+#include "common/UserCache.h"
+#include "voxc/IR/Format.h"
+#include "voxc/Kernel/CompileCpu.h"
+#include "voxc/Trace/CpuKernel.h"
+#include "voxc/Trace/PagedTracer.h"
+#include "voxc/Trace/Tracer.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace voxc::tool {
+
+class TraceSession {
+public:
+  /// Adds --device, --threads, --order, --arithmetic and --spirv-opt to a command.
+  void declare(const CommandLine &command);
+
+  /// Chooses as --device and --threads do, in a command that has several of these.
+  void choose(const std::string &device, unsigned threads);
+  /// Chooses as --order does.
+  void chooseOrder(const std::string &order) { order_ = order; }
+
+  /// Looks for kernels among those that were compiled before: for commands that do not measure compiling.
+  /// Asked before the device is opened.
+  void useCache() { cache_ = compileCache(); }
+
+  /// Tells how many rays will be traced, where that is known and nothing is timed: for few a kernel on this
+  /// processor is compiled in part. Asked before it is compiled.
+  void expectRays(std::uint64_t rays);
+
+  /// Opens the device; asked first, so that its absence is told before long work. Where no device was named
+  /// and there is none of Vulkan's, it is this processor, and a note says so.
+  Expected<void> openDevice(const CommonOptions &common);
+  /// Compiles the kernel that traverses `volume` as `format` says, and uploads the volume. Its figures are
+  /// added.
+  Expected<void> prepare(const Volume &volume, const Format &format, Json &figures);
+  /// The same for a page file, which must stay; threads are those of --threads.
+  Expected<void> preparePages(const PagedVolume &volume, const Format &format, PagingOptions options,
+                              Json &figures);
+  /// What paging has done so far, if that is how rays are traced.
+  std::optional<PagingReport> paging() const;
+  /// Adds what paging has done so far, if that is how rays are traced.
+  void addPagingFigures(Json &figures) const;
+  /// Traces rays through the prepared volume. The trace's figures are added.
+  Expected<void> trace(const RaySpan &rays, std::span<Hit> hits, const TraceOptions &options, Json &figures);
+
+  /// The same without figures.
+  Expected<TraceReport> trace(const RaySpan &rays, std::span<Hit> hits, const TraceOptions &options);
+
+  /// As `Tracer::follow`.
+  Expected<UpdateReport> follow(const Volume &after, std::span<const WordRange> changed) {
+    return tracer_->follow(after, changed);
+  }
+
+  /// Makes the prepared tracer count words read where that takes another kernel; from then on it traces with
+  /// `TraceOptions::countWords` alone. `volume` and `format` are those of `prepare`.
+  Expected<void> prepareToCountWords(const Volume &volume, const Format &format);
+
+  /// The open device.
+  DeviceInfo deviceInfo() const { return device_ ? device_->info() : cpuDeviceInfo(); }
+  /// Whether it is one of Vulkan's.
+  bool isVulkan() const { return device_ != nullptr; }
+
+  /// What --threads says; 0: nothing.
+  unsigned threads() const { return threads_; }
+
+private:
+  /// What kernels for the open device rely on.
+  Arithmetic arithmetic() const;
+  Expected<std::unique_ptr<Tracer>> makeCpuTracer(const Volume &volume, const Format &format, Json &figures);
+  Expected<std::unique_ptr<Tracer>> makeVulkanTracer(const Volume &volume, const Format &format,
+                                                     Json &figures);
+
+  Expected<std::unique_ptr<PagedTracer>> makePagedCpuTracer(const PagedVolume &volume, const Format &format,
+                                                            const PagingOptions &options, Json &figures);
+  Expected<std::unique_ptr<PagedTracer>> makePagedVulkanTracer(const PagedVolume &volume,
+                                                               const Format &format,
+                                                               const PagingOptions &options, Json &figures);
+
+  std::string deviceName_;
+  unsigned threads_ = 0; ///< 0: the device's own choice.
+  std::string arithmetic_;
+  bool optimise_ = false;
+  const CompileCache *cache_ = nullptr;
+  CpuStart start_ = CpuStart::Whole;
+  std::string order_ = "auto";
+  std::unique_ptr<Device> device_; // Outlives the tracer; null: this processor.
+  std::unique_ptr<Tracer> tracer_;
+  const PagedTracer *paged_ = nullptr; // The tracer, where it is one.
+};
+
+} // namespace voxc::tool
