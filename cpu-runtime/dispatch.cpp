@@ -7,9 +7,9 @@ using uint = unsigned int;
 
 using Kernel = void(const uint *words, const float *rays, uint *hits, unsigned long long count, int count_lookups, float spread);
 
-extern "C" Kernel trace_16_rays asm("${symbol}.x86_64_v4");
-extern "C" Kernel trace_8_rays asm("${symbol}.x86_64_v3");
-extern "C" Kernel trace_single_rays asm("${symbol}.x86_64");
+extern "C" Kernel trace_16_rays asm("voxc_kernel.x86_64_v4");
+extern "C" Kernel trace_8_rays asm("voxc_kernel.x86_64_v3");
+extern "C" Kernel trace_single_rays asm("voxc_kernel.x86_64");
 
 namespace {
 
@@ -91,7 +91,7 @@ void trace_first_rays(const uint *words, const float *rays, uint *hits, unsigned
 } // namespace voxc
 
 // The pointer is read anew by each call: once there have been rays, that is all it costs.
-extern "C" void ${symbol}(const unsigned int *words, const float *rays, unsigned int *hits, unsigned long long count,
+extern "C" void voxc_kernel(const unsigned int *words, const float *rays, unsigned int *hits, unsigned long long count,
                           int count_lookups, float spread) {
   __atomic_load_n(&voxc::kernel, __ATOMIC_RELAXED)(words, rays, hits, count, count_lookups, spread);
 }

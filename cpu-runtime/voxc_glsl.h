@@ -1,5 +1,5 @@
-// voxc_glsl.h: the built-in functions of GLSL that kernels call, in C++. Freestanding; for Clang 17 and GCC 12, or
-// later ones.
+// voxc_glsl.h: the built-in functions of GLSL that kernels call, in C++. Freestanding; for Clang 17 and GCC
+// 12, or later ones.
 #pragma once
 
 #include "voxc_vector.h"
@@ -132,7 +132,8 @@ template <typename T, typename Bound>
 VOXC_INLINE Vector3<T> clamp(const Vector3<T> &value, Bound least, Bound most) {
   return min(max(value, least), most);
 }
-template <typename T> VOXC_INLINE Vector3<T> mix(const Vector3<T> &a, const Vector3<T> &b, const bvec3 &takesB) {
+template <typename T>
+VOXC_INLINE Vector3<T> mix(const Vector3<T> &a, const Vector3<T> &b, const bvec3 &takesB) {
   return {takesB.x ? b.x : a.x, takesB.y ? b.y : a.y, takesB.z ? b.z : a.z};
 }
 
@@ -143,7 +144,9 @@ VOXC_INLINE bool any(const bvec3 &v) { return v.x | v.y | v.z; }
 template <typename T> VOXC_INLINE bool operator==(const Vector3<T> &a, const Vector3<T> &b) {
   return all(equal(a, b));
 }
-template <typename T> VOXC_INLINE bool operator!=(const Vector3<T> &a, const Vector3<T> &b) { return !(a == b); }
+template <typename T> VOXC_INLINE bool operator!=(const Vector3<T> &a, const Vector3<T> &b) {
+  return !(a == b);
+}
 
 VOXC_INLINE uvec3 floatBitsToUint(const vec3 &v) {
   return {floatBitsToUint(v.x), floatBitsToUint(v.y), floatBitsToUint(v.z)};

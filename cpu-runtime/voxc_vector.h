@@ -1,5 +1,5 @@
-// voxc_vector.h: the vectors of GLSL that kernels use, in C++: plain structures, since what runs several rays at once makes a
-// wide register of each component. Freestanding; for Clang 17 and GCC 12, or later ones.
+// voxc_vector.h: the vectors of GLSL that kernels use, in C++: plain structures, since what runs several rays
+// at once makes a wide register of each component. Freestanding; for Clang 17 and GCC 12, or later ones.
 #pragma once
 
 // What CUDA wants before a function that a device may call.
@@ -14,8 +14,8 @@ namespace voxc::glsl {
 
 using uint = unsigned int;
 
-/// The component of a vector whose number is known when the kernel runs: picked by comparisons, so that vectors need no
-/// memory.
+/// The component of a vector whose number is known when the kernel runs: picked by comparisons, so that
+/// vectors need no memory.
 template <typename Vector, typename T> struct Component {
   Vector &vector;
   int number;
@@ -28,14 +28,16 @@ template <typename Vector, typename T> struct Component {
   VOXC_CONSTANT Component &operator=(const Component &other) { return *this = T(other); }
 };
 
-/// Three components. Copied one by one, and never as a block of memory, which optimisers take to pieces less readily.
+/// Three components. Copied one by one, and never as a block of memory, which optimisers take to pieces less
+/// readily.
 template <typename T> struct Vector3 {
   T x, y, z;
 
   Vector3() = default;
   VOXC_CONSTANT explicit Vector3(T all) : x(all), y(all), z(all) {}
   VOXC_CONSTANT Vector3(T x, T y, T z) : x(x), y(y), z(z) {}
-  template <typename U> VOXC_CONSTANT explicit Vector3(const Vector3<U> &v) : x(T(v.x)), y(T(v.y)), z(T(v.z)) {}
+  template <typename U>
+  VOXC_CONSTANT explicit Vector3(const Vector3<U> &v) : x(T(v.x)), y(T(v.y)), z(T(v.z)) {}
   VOXC_CONSTANT Vector3(const Vector3 &v) : x(v.x), y(v.y), z(v.z) {}
   VOXC_CONSTANT Vector3 &operator=(const Vector3 &v) {
     x = v.x;

@@ -1,12 +1,12 @@
 // A volume as one page for browsers.
 #include "page/Page.h"
 
+#include "page/Holes.h"
 #include "page/Packed.h"
 #include "page/Poster.h"
 #include "page/Script.h"
 #include "page/Shaders.h"
 
-#include "Emit/Template.h"
 #include "common/Command.h"
 #include "voxc/Volume/Frames.h"
 
@@ -108,8 +108,7 @@ Expected<std::string> makePage(const Volume &volume, const PageContents &content
     return script.error();
   const std::string packed = deflated(*script + planesOf(words) + contents.checks);
   const std::size_t frames = streamed ? 0 : framesOf(volume).size();
-  TemplateNames names;
-  names.holes = {
+  Holes holes = {
       {"BYTES", std::to_string(packed.size())},
       {"SCRIPT_BYTES", std::to_string(script->size())},
       {"WORDS", std::to_string(words.size())},
@@ -124,11 +123,11 @@ Expected<std::string> makePage(const Volume &volume, const PageContents &content
       // Whoever is on a server is asked for an icon.
       {"ICON", streamed ? "<link rel=\"icon\" href=\"data:,\">\n" : ""},
       {"PACKED", sevenBitText(packed)}};
-  const Expected<std::string> unpack = fillTemplate(tersely("unpack.js"), names);
+  const Expected<std::string> unpack = fill(tersely("unpack.js"), holes);
   if (!unpack)
     return unpack.error();
-  names.holes["UNPACK"] = *unpack;
-  return fillTemplate(tersely("page.html"), names);
+  holes["UNPACK"] = *unpack;
+  return fill(tersely("page.html"), holes);
 }
 
 } // namespace voxc::page

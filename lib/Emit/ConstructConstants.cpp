@@ -44,13 +44,8 @@ constexpr LevelConstant kConstruct[] = {
     {"LOOKS_AHEAD", [](const Plan &p, std::size_t i) -> Value { return p.constructions[i].looksAhead; }},
 };
 
-constexpr std::string_view kTypes[] = {"bool", "int", "uint32_t"}; // In the order of `ConstantValue`.
-
 ConstructConstant constantOf(std::string_view name, const Value &value) {
-  std::string text = literal(value);
-  if (text.ends_with('u')) // As the type says.
-    text.pop_back();
-  return {std::string(kTypes[value.index()]), std::string(name), std::move(text)};
+  return {std::string(name), constantText(name, value)};
 }
 
 /// What is asked of distances alone.
@@ -60,10 +55,9 @@ constexpr std::string_view kOfDistances[] = {"EMPTY_IS_ZERO",        "REACH",   
 
 ConstructConstant shapeOf(const Plan &plan, std::size_t index) {
   const Int3 size = at(plan, index).log2Shape;
-  return {"GridShape", "SHAPE",
-          "{" + std::to_string(size.x) + ", " + std::to_string(size.y) + ", " + std::to_string(size.z) +
-              ", " + std::to_string(at(plan, index).log2Cell) + ", " +
-              (plan.layout.holdsVoxels(index) ? "true" : "false") + "}"};
+  return {"SHAPE", "GridShape SHAPE = {" + std::to_string(size.x) + ", " + std::to_string(size.y) + ", " +
+                       std::to_string(size.z) + ", " + std::to_string(at(plan, index).log2Cell) + ", " +
+                       (plan.layout.holdsVoxels(index) ? "true" : "false") + "};"};
 }
 
 } // namespace

@@ -9,9 +9,9 @@
 
 namespace voxc {
 
-/// A constant as C++ has it.
 struct ConstructConstant {
-  std::string type, name, value;
+  std::string name;
+  std::string text; ///< "int LAYERS = 8;"
 };
 
 /// All of a level: of its shape and how it is built, then those of kernels (`levelConstants`), then those of

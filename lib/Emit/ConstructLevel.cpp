@@ -32,7 +32,7 @@ std::string levelText(const Plan &plan, const LevelForm &form, std::size_t index
   std::string text = levelComment(plan, index) + "struct " + name + " {\n";
   for (const ConstructConstant &constant : constructConstants(plan, index))
     if (asked.contains(constant.name))
-      text += "  static constexpr " + constant.type + " " + constant.name + " = " + constant.value + ";\n";
+      text += "  static constexpr " + constant.text + "\n";
   const bool isLast = plan.layout.holdsVoxels(index);
   text +=
       "  using Cells = " + (isLast ? std::string(form.voxels) : subVolumeOf(plan, form, index + 1)) + ";\n";

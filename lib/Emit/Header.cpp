@@ -2,6 +2,7 @@
 #include "HeaderLanguages.h"
 #include "KernelFunctions.h"
 #include "Names.h"
+#include "RuntimeText.h"
 
 #include "Glsl/Passes.h"
 #include "Glsl/Wrap.h"
@@ -46,18 +47,8 @@ FormatWords headerWords(const Plan &plan, std::string_view name) {
   words["voxc_format"] = prefix.substr(0, prefix.size() - 1);
   words["VOXC_FORMAT_"] = upperCase(prefix);
   words["GLSL_IN_CPP"] = glslInCpp();
+  words["COLOUR_MEANING"] = plan.layout.hasLabels() ? "a label" : "R in the lowest byte, then G, B and A";
   return words;
-}
-
-TemplateNames headerNames(const Plan &plan, std::string_view name) {
-  TemplateNames names = planNames(plan);
-  const std::string prefix = headerPrefix(name);
-  names.holes["prefix"] = prefix;
-  names.holes["prefix-"] = prefix.substr(0, prefix.size() - 1);
-  names.holes["PREFIX"] = upperCase(prefix);
-  names.holes["what-colour-is"] =
-      plan.layout.hasLabels() ? "a label" : "R in the lowest byte, then G, B and A";
-  return names;
 }
 
 /// Of plans with bounds.
@@ -142,11 +133,11 @@ std::string emitHeader(const Plan &plan, std::string_view name, HeaderLanguage l
 }
 
 std::string emitCHeader(const Plan &plan, std::string_view name) {
-  return fillFile(cpuFiles(), "functions.h", headerNames(plan, name));
+  return replaceWords(runtimeFile(cpuFiles(), "functions.h"), headerWords(plan, name));
 }
 
 std::string emitCDefinitions(const Plan &plan, std::string_view name) {
-  return fillFile(cpuFiles(), "functions.cpp", headerNames(plan, name));
+  return replaceWords(runtimeFile(cpuFiles(), "functions.cpp"), headerWords(plan, name));
 }
 
 std::string_view carryFunctions() { return runtimeFile(shaderFiles(), "builtins/carries.glsl"); }

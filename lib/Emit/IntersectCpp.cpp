@@ -1,6 +1,9 @@
 // Printing a plan as intersect.cpp: the same functions as in intersect.glsl, as members of a class.
+#include "FormatWords.h"
+#include "KernelConstants.h"
 #include "KernelFunctions.h"
 #include "Names.h"
+#include "RuntimeText.h"
 
 #include "Glsl/Cpp.h"
 
@@ -9,14 +12,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <span>
+#include <set>
 
 namespace voxc {
 namespace {
-
-/// What stands behind the kernel: how many rays, or points, are put to work.
-constexpr std::array kRayFiles = {"work.inc", "packet.inc", "exact.inc", "batch.inc", "entry.inc"};
-constexpr std::array kPointFiles = {"work.inc", "points.inc", "entry.inc"};
 
 /// Every line but empty ones moved right by two columns.
 std::string indented(std::string_view text) {
@@ -88,7 +87,36 @@ glsl::Names calledFromPackets(const Plan &plan) {
   return names;
 }
 
-/// The members of the kernel's class, behind those of interface.inc.
+constexpr std::string_view kHowToCompile =
+    "// C++20, for Clang 17 and GCC 12, or later ones: Clang 16 knows no __builtin_roundevenf.\n"
+    "// Integers wrap, as in GLSL, nothing is contracted, and floats are read as their bits:\n"
+    "//     -O3 -fwrapv -ffp-contract=off -fno-strict-aliasing\n";
+
+constexpr std::string_view kKernelBegin =
+    "VOXC_BEGIN_INLINE\n\n// One without the exact fallback defers the rays that need exact arithmetic to "
+    "one with it.\n"
+    "template <bool EXACT_FALLBACK> struct Kernel : Interface<Plan> {\n";
+
+/// What the plan decides, as far as the headers ask for it.
+std::string planText(const Plan &plan, std::string_view header, bool countWords) {
+  std::set<std::string, std::less<>> asked;
+  for (const EmbeddedFile &file : includedBy({header}, intersectHeaders()))
+    asked.merge(namesBehind("Plan::", file.text));
+  std::string text;
+  if (plan.packetWidth == PacketWidth::Narrow)
+    text += "#define VOXC_NARROW_PACKETS // Each level has a loop, and lanes in one wait for those in "
+            "another: fewer "
+            "lanes, less waiting.\n";
+  text += "#include \"voxc_interface.h\"\n\nnamespace {\n\nusing namespace voxc::glsl;\n\n// What the plan "
+          "decides.\n"
+          "struct Plan {\n";
+  for (const PlanConstant &constant : planConstants())
+    if (asked.contains(constant.name))
+      text += "  static constexpr " + constantText(constant.name, constant.of(plan)) + "\n";
+  return text + "  static constexpr " + constantText("COUNT_WORDS", countWords) + "\n};\n\n";
+}
+
+/// The members of the kernel's class, behind those of its `Interface`.
 Expected<glsl::Module> members(KernelBuilder builder) {
   const Plan &plan = builder.plan();
   addVolumeSize(builder);
@@ -107,31 +135,28 @@ Expected<glsl::Module> members(KernelBuilder builder) {
 } // namespace
 
 std::string emitIntersectCpp(const Plan &plan, std::string_view symbol, bool countWords) {
-  TemplateNames names = planNames(plan);
-  names.holes["symbol"] = symbol;
-  names.holes["count-words"] = countWords ? "true" : "false";
   const auto module = members(KernelBuilder(plan));
   if (!module)
     return "#error " + module.error().message + "\n";
-  std::string text =
-      fillFile(cpuFiles(), "begin.inc", names) +
-      indented(fillFile(cpuFiles(), "interface.inc", names) + "\n" + glsl::Cpp().print(*module));
-  for (const char *path : plan.isOfPoints() ? std::span<const char *const>(kPointFiles) : kRayFiles)
-    text += fillFile(cpuFiles(), path, names);
-  return text;
+  const std::string rest = plan.isOfPoints() ? "voxc_points.h" : "voxc_batches.h";
+  return "// intersect.cpp: " + std::string(answers(plan.query)) + " volumes of the format " +
+         plan.layout.format + ".\n" + std::string(kHowToCompile) + planText(plan, rest, countWords) +
+         std::string(kKernelBegin) + indented(glsl::Cpp().print(*module)) +
+         "};\n\nVOXC_END_INLINE\n\n} // namespace\n\n#define VOXC_SYMBOL " + std::string(symbol) +
+         "\n#include \"" + rest + "\"\n";
 }
 
 std::string emitDispatchCpp(std::string_view symbol) {
-  TemplateNames names;
-  names.holes["symbol"] = symbol;
-  return fillFile(cpuFiles(), "dispatch.cpp", names);
+  return replaceWords(runtimeFile(cpuFiles(), "dispatch.cpp"), {{"voxc_kernel", std::string(symbol)}});
 }
 
 std::string emitIntersectHeader(const Plan &plan, std::string_view symbol) {
-  TemplateNames names = planNames(plan);
-  names.holes["symbol"] = symbol;
-  names.holes["PREFIX"] = upperCase(symbol);
-  return fillFile(cpuFiles(), "intersect.h", names);
+  FormatWords words = formatWords(plan.layout);
+  words["voxc_kernel"] = symbol;
+  words["VOXC_KERNEL_"] = upperCase(symbol) + "_";
+  words["ANSWERS"] = answers(plan.query);
+  words["HAS_BOUNDS"] = plan.bounded ? "1" : "0";
+  return replaceWords(runtimeFile(cpuFiles(), "intersect.h"), words);
 }
 
 } // namespace voxc

@@ -2,7 +2,7 @@
 #include "KernelBuilder.h"
 
 #include "Emit/KernelConstants.h"
-#include "Emit/Template.h"
+#include "Emit/RuntimeText.h"
 
 #include "Glsl/Parse.h"
 #include "Glsl/Verify.h"

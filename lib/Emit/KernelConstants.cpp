@@ -146,6 +146,14 @@ std::string literal(const ConstantValue &value) {
   return number == 0xffffffffu ? "0xffffffffu" : std::to_string(number) + "u";
 }
 
+std::string constantText(std::string_view name, const ConstantValue &value) {
+  constexpr std::string_view kTypes[] = {"bool", "int", "uint32_t"}; // In the order of `ConstantValue`.
+  std::string number = literal(value);
+  if (number.ends_with('u')) // As the type says.
+    number.pop_back();
+  return std::string(kTypes[value.index()]) + " " + std::string(name) + " = " + number + ";";
+}
+
 glsl::Constants constantsOf(const Plan &plan) {
   glsl::Constants constants;
   for (const PlanConstant &constant : kPlan)

@@ -36,6 +36,9 @@ std::span<const LevelConstant> levelConstants();
 /// "true", "3", "3u": as GLSL writes it.
 std::string literal(const ConstantValue &value);
 
+/// "bool PAGED = false;": as C++ writes it.
+std::string constantText(std::string_view name, const ConstantValue &value);
+
 /// All by their names and values. Those of a stratum have what its kind of slots brings beside the rows
 /// above.
 glsl::Constants constantsOf(const Plan &plan);

@@ -1,9 +1,5 @@
-// What templates may speak of: the names of a plan. All are always there, so that a template which is right
-// for one plan is right for all.
+// Names and numbers that emitted text has in several places.
 #pragma once
-
-#include "KernelConstants.h"
-#include "Template.h"
 
 #include "voxc/Plan/Plan.h"
 
@@ -13,12 +9,6 @@
 #include <string_view>
 
 namespace voxc {
-
-/// Of the plan as a whole.
-TemplateNames planNames(const Plan &plan);
-
-/// Adds a constant of kernels: GRANULES is a condition, `granules`; HEAD_WORDS a hole, `head-words`.
-void addName(TemplateNames &names, std::string_view constant, const ConstantValue &value);
 
 /// The layers of nodes in the strata before one, as the path of a flat traversal has them: one of a grid and
 /// of a single cell.

@@ -1,4 +1,4 @@
-// Headers of construct-runtime as text.
+// Runtime files as text.
 #include "RuntimeText.h"
 
 #include "voxc/Emit/Emit.h"
@@ -22,6 +22,11 @@ std::vector<std::string_view> includesOf(std::string_view text) {
 }
 
 } // namespace
+
+std::string_view runtimeFile(std::span<const EmbeddedFile> files, std::string_view path) {
+  const auto file = std::ranges::find(files, path, &EmbeddedFile::path);
+  return file == files.end() ? "#error a runtime file is missing\n" : file->text;
+}
 
 std::vector<EmbeddedFile> includedBy(const std::set<std::string_view> &paths,
                                      std::span<const EmbeddedFile> files) {

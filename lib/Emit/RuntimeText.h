@@ -1,4 +1,4 @@
-// Looking into the headers of construct-runtime: what they include, and what they speak of.
+// Looking into runtime files: what headers include, and what they speak of.
 #pragma once
 
 #include "voxc/Support/EmbeddedFile.h"
@@ -10,6 +10,9 @@
 #include <vector>
 
 namespace voxc {
+
+/// The text of a runtime file as it is, which must exist.
+std::string_view runtimeFile(std::span<const EmbeddedFile> files, std::string_view path);
 
 /// The files of these paths and all that they include, each once, in the order of `files`.
 std::vector<EmbeddedFile> includedBy(const std::set<std::string_view> &paths,

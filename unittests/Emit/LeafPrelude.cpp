@@ -2,7 +2,7 @@
 #include "LeafPrelude.h"
 
 #include "Emit/KernelConstants.h"
-#include "Emit/Template.h"
+#include "Emit/RuntimeText.h"
 
 #include "Glsl/Parse.h"
 #include "Glsl/Print.h"

@@ -1,7 +1,7 @@
 // Leaves of kernels are GLSL: a compiler that knows nothing of plans takes each as it stands.
 #include "LeafPrelude.h"
 
-#include "Emit/Template.h"
+#include "Emit/RuntimeText.h"
 
 #include "voxc/Emit/Emit.h"
 

@@ -1,8 +1,16 @@
-};
+// voxc_rays.h: rays that a kernel is put to work on. The file that includes this has named `Plan`, what its
+// plan decides, and `Kernel`, which says what becomes of one ray, with the exact fallback and without.
+#pragma once
 
-VOXC_END_INLINE
+#include "voxc_interface.h"
 
-%if paged
+namespace {
+
+using namespace voxc::glsl;
+
+// Words of a ray.
+constexpr uint RAY_WORDS = Plan::BOUNDED ? 8 : 6;
+
 // What `words` leads to of a volume that is here in parts: CpuPages of voxc/Trace/CpuKernel.h.
 struct Pages {
   const uint *slots;
@@ -12,7 +20,6 @@ struct Pages {
   uint goes_on; // With rays that wait; else all are traced from their beginning.
 };
 
-%end
 // Rays at work.
 struct Rays {
   const uint *words; // The volume's.
@@ -24,14 +31,15 @@ struct Rays {
   uint deferred_lookups; // What a step that exact arithmetic resolves adds to the look-ups that are counted.
   bool in_packets = true;
 
-%if paged
   template <typename Kernel> Kernel kernel() const {
-    const Pages &pages = *reinterpret_cast<const Pages *>(words);
-    return {pages.slots, pages.table, pages.log2_page_words, pages.pages, ray_words, hit_words, count_lookups, fewest_lanes, spread};
+    if constexpr (Plan::PAGED) {
+      const Pages &pages = *reinterpret_cast<const Pages *>(words);
+      return {{pages.slots, ray_words, hit_words, count_lookups, fewest_lanes, spread, pages.table,
+               pages.log2_page_words, pages.pages}};
+    } else {
+      return {{words, ray_words, hit_words, count_lookups, fewest_lanes, spread}};
+    }
   }
-%else
-  template <typename Kernel> Kernel kernel() const { return {words, ray_words, hit_words, count_lookups, fewest_lanes, spread}; }
-%end
 };
 
 // Counts what exact arithmetic has done for a ray.
@@ -43,12 +51,14 @@ inline void count_deferred(const Rays &rays, uint ray_number) {
 // Few enough for what belongs to them to stay near.
 constexpr uint BATCH = 2048;
 
-// Sends for the rays of a packet to come, and for where their hits will stand. Gathers and scatters alone wait for each line.
+// Sends for the rays of a packet to come, and for where their hits will stand. Gathers and scatters alone
+// wait for each line.
 void fetch_packet(const Rays &rays, uint ray_number) {
   constexpr uint LINE = 16; // In words.
-  for (uint word = 0; word < ${ray-words} * LANES; word += LINE)
-    __builtin_prefetch(rays.ray_words + ${ray-words} * ray_number + word);
+  for (uint word = 0; word < RAY_WORDS * LANES; word += LINE)
+    __builtin_prefetch(rays.ray_words + RAY_WORDS * ray_number + word);
   for (uint word = 0; word < 6 * LANES; word += LINE)
     __builtin_prefetch(rays.hit_words + 6 * ray_number + word, 1);
 }
 
+} // namespace

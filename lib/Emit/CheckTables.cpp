@@ -1,6 +1,5 @@
-// voxc-check-templates: run when voxc is built. Fills every runtime file with the names of a plan, and
-// demands a file for each row of each table that names one, so that a misspelt hole, condition or file name
-// ends the build.
+// voxc-check-tables: run when voxc is built. Demands a file, or a class, for each row of each table that
+// names one, so that a misspelt name ends the build.
 #include "Names.h"
 
 #include "voxc/Emit/Emit.h"
@@ -17,22 +16,6 @@ int problems = 0;
 void report(const std::string &file, const std::string &problem) {
   std::fprintf(stderr, "%s: %s\n", file.c_str(), problem.c_str());
   ++problems;
-}
-
-/// Names that emitters add to those of the plan.
-TemplateNames allNames() {
-  TemplateNames names = planNames(*makePlan(*parseFormat("R(1,1,1) G(1)")));
-  for (const char *hole : {"symbol", "PREFIX", "count-words", "prefix", "prefix-", "what-colour-is"})
-    names.holes[hole] = "";
-  return names;
-}
-
-/// Names are checked in branches that do not apply too.
-void check(const std::string &folder, std::span<const EmbeddedFile> files) {
-  const TemplateNames names = allNames();
-  for (const EmbeddedFile &file : files)
-    if (const auto filled = fillTemplate(file.text, names); !filled)
-      report(folder + "/" + std::string(file.path), filled.error().message);
 }
 
 void demand(const std::string &folder, std::span<const EmbeddedFile> files, const std::string &path) {
@@ -62,7 +45,6 @@ template <typename Enum> void demandEach(const std::string &folder) {
 
 int main() {
   using namespace voxc;
-  check("cpu-runtime", cpuFiles());
   demandEach<Descent>("traversal");
   demandEach<Precision>("step");
   demandEach<Addressing>("memory");

@@ -1,12 +1,21 @@
+// voxc_batches.h: batches of rays, in packets and one by one, until all are done. `VOXC_SYMBOL` is what the
+// kernel is called.
+#pragma once
+
+#include "voxc_exact.h"
 
 #if VOXC_PARTS & VOXC_PART_OF_BATCHES
+namespace {
+
 // Traces one ray, as fast as it goes without others.
-[[gnu::noinline]] uint trace_alone(const Rays &rays, uint ray_number, bool goes_on, const Prepared *prepared, uint lane) {
+[[gnu::noinline]] uint trace_alone(const Rays &rays, uint ray_number, bool goes_on, const Prepared *prepared,
+                                   uint lane) {
   return trace_lane(rays.kernel<Lanes>(), ray_number, goes_on, prepared, lane);
 }
 
 // Traces the rays of a list, `count` at most LANES.
-void trace_rays(const Rays &rays, const uint *list, uint count, bool goes_on, const Prepared *prepared, uint *outcomes) {
+void trace_rays(const Rays &rays, const uint *list, uint count, bool goes_on, const Prepared *prepared,
+                uint *outcomes) {
   if (LANES > 1 && rays.in_packets && count > 1)
     return trace_packet(rays, list, count, goes_on, prepared, outcomes);
   for (uint lane = 0; lane < count; lane++)
@@ -29,7 +38,8 @@ bool are_worth_packets(uint count) {
 }
 #endif
 
-// A packet with less than half of its lanes at work lets them go, where there are enough others to go on with.
+// A packet with less than half of its lanes at work lets them go, where there are enough others to go on
+// with.
 constexpr uint FEWEST_LANES = LANES / 2;
 constexpr uint WORTH_PACKING = 4 * LANES;
 // So often: a ray that is let go may not have come further, and after that each does.
@@ -83,27 +93,23 @@ void answer_batch(Rays rays, uint count) {
   uint list[BATCH];
   uint hard[LANES] = {};
   uint hard_count = 0;
-%if paged
-  const bool waited = reinterpret_cast<const Pages *>(rays.words)->goes_on != 0;
+  const bool waited = Plan::PAGED && reinterpret_cast<const Pages *>(rays.words)->goes_on != 0;
   uint unfinished = 0;
   for (uint i = 0; i < count; i++)
     if (!waited || int(rays.hit_words[6 * i]) < -1)
       list[unfinished++] = i;
   count = unfinished;
-%else
-  for (uint i = 0; i < count; i++)
-    list[i] = i;
-%end
   for (uint step = 0; step <= MOST_PACKINGS + most_steps() && count > 0; step++) {
     const bool packs = rays.in_packets && step < MOST_PACKINGS && count > WORTH_PACKING && !counts;
     uint left = 0;
     for (uint first = 0; first < count; first += LANES) {
       const uint size = min(count - first, LANES);
       if (step == 0)
-        fetch_packet(rays, list[first] + 2 * LANES); // Beyond the last: no harm, and often those of the next batch.
+        fetch_packet(rays,
+                     list[first] + 2 * LANES); // Beyond the last: no harm, and often those of the next batch.
       rays.fewest_lanes = packs && size == LANES ? FEWEST_LANES : 0;
       uint outcomes[LANES];
-      trace_rays(rays, list + first, size, ${waited-or}step > 0, nullptr, outcomes);
+      trace_rays(rays, list + first, size, waited || step > 0, nullptr, outcomes);
       for (uint lane = 0; lane < size; lane++) {
         const uint ray_number = list[first + lane];
         if (outcomes[lane] == DONE)
@@ -123,5 +129,19 @@ void answer_batch(Rays rays, uint count) {
   trace_hard(rays, hard, hard_count);
   for (uint i = 0; i < count; i++)
     report_nonterminated(rays, list[i]);
+}
+
+} // namespace
+
+// Answers `count` rays, six floats each, or eight with bounds, from the words of a volume by as many hits,
+// six words each.
+extern "C" void VOXC_SYMBOL(const uint *words, const float *rays, uint *hits, unsigned long long count,
+                            int count_lookups, float spread) {
+  const uint *ray_words = reinterpret_cast<const uint *>(rays);
+  for (unsigned long long first = 0; first < count; first += BATCH) {
+    const Rays batch = {words,  ray_words + RAY_WORDS * first,     hits + 6 * first, count_lookups != 0, 0,
+                        spread, count_lookups == 2 ? 1u << 16 : 0u};
+    answer_batch(batch, count - first < BATCH ? uint(count - first) : BATCH);
+  }
 }
 #endif
