@@ -80,7 +80,7 @@ void AccuracyCommand::declareChoice(const CommandLine &command) {
   declareValues(command, "--precisions", choice_.precisions, "Precisions to compare, separated by commas");
   declareValues(command, "--traversals", choice_.traversals,
                 "Traversals of trees to compare, separated by commas");
-  command.addFormer("--traversals", "--traversals");
+  command.addFormer("--walks", "--traversals");
   command
       .add("--lods", lods_,
            "Sizes in pixels at which to stop early, as --lod of voxc render does, with the "

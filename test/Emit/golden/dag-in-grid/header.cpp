@@ -1498,11 +1498,11 @@ static inline int voxc_r4_4_4_g8_order_by_sign(const voxc_r4_4_4_g8_Ray &ray, in
 }
 
 // What is known of the order of two moments: that one is later or sooner, or, of neither, that they are the same.
-static inline int voxc_r4_4_4_g8_order_told(const voxc_r4_4_4_g8_Ray &ray, int axis, uint moment, bool later,
+static inline int voxc_r4_4_4_g8_order_decided(const voxc_r4_4_4_g8_Ray &ray, int axis, uint moment, bool later,
     bool sooner, bool is_exact) {
   // Devices may not keep a denormal moment.
-  bool told = (later || sooner || is_exact) && ray.plain && moment - 1u >= 0x7fffffu;
-  return told ? voxc_r4_4_4_g8_order_by_sign(ray, axis, later ? 1 : sooner ? -1 : 0) : voxc_r4_4_4_g8_UNDECIDED;
+  bool decided = (later || sooner || is_exact) && ray.plain && moment - 1u >= 0x7fffffu;
+  return decided ? voxc_r4_4_4_g8_order_by_sign(ray, axis, later ? 1 : sooner ? -1 : 0) : voxc_r4_4_4_g8_UNDECIDED;
 }
 
 // The same by float32, whose distance and way are rounded once each.
@@ -1511,7 +1511,7 @@ static inline int voxc_r4_4_4_g8_compare_moment_by_floats(const voxc_r4_4_4_g8_R
   float distance = float(face) - uintBitsToFloat(ray.given_origin[axis]);
   float way = uintBitsToFloat(moment) * uintBitsToFloat(ray.given_direction[axis]);
   float bound = (abs(distance) + abs(way)) * voxc_r4_4_4_g8_ROUNDINGS;
-  return voxc_r4_4_4_g8_order_told(ray, axis, moment, distance - way > bound, distance - way < -bound, false);
+  return voxc_r4_4_4_g8_order_decided(ray, axis, moment, distance - way > bound, distance - way < -bound, false);
 }
 
 static inline int voxc_r4_4_4_g8_compare_moment(const voxc_r4_4_4_g8_Ray &ray, int axis, int face, uint moment) {

@@ -1335,11 +1335,11 @@ int voxc_r4_4_4_g8_compare_moment_exactly(const voxc_r4_4_4_g8_Ray ray, int axis
 }
 
 // What is known of the order of two moments: that one is later or sooner, or, of neither, that they are the same.
-int voxc_r4_4_4_g8_order_told(const voxc_r4_4_4_g8_Ray ray, int axis, uint moment, bool later, bool sooner,
+int voxc_r4_4_4_g8_order_decided(const voxc_r4_4_4_g8_Ray ray, int axis, uint moment, bool later, bool sooner,
     bool is_exact) {
   // Devices may not keep a denormal moment.
-  bool told = (later || sooner || is_exact) && ray.plain && moment - 1u >= 0x7fffffu;
-  return told ? voxc_r4_4_4_g8_order_by_sign(ray, axis, later ? 1 : sooner ? -1 : 0) : voxc_r4_4_4_g8_UNDECIDED;
+  bool decided = (later || sooner || is_exact) && ray.plain && moment - 1u >= 0x7fffffu;
+  return decided ? voxc_r4_4_4_g8_order_by_sign(ray, axis, later ? 1 : sooner ? -1 : 0) : voxc_r4_4_4_g8_UNDECIDED;
 }
 
 // The same by float32, whose distance and way are rounded once each.
@@ -1347,7 +1347,7 @@ int voxc_r4_4_4_g8_compare_moment_by_floats(const voxc_r4_4_4_g8_Ray ray, int ax
   float distance = float(face) - asfloat(ray.given_origin[axis]);
   float way = asfloat(moment) * asfloat(ray.given_direction[axis]);
   float bound = (abs(distance) + abs(way)) * voxc_r4_4_4_g8_ROUNDINGS;
-  return voxc_r4_4_4_g8_order_told(ray, axis, moment, distance - way > bound, distance - way < -bound, false);
+  return voxc_r4_4_4_g8_order_decided(ray, axis, moment, distance - way > bound, distance - way < -bound, false);
 }
 
 int voxc_r4_4_4_g8_compare_moment(const voxc_r4_4_4_g8_Ray ray, int axis, int face, uint moment) {

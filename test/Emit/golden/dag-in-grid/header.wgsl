@@ -1234,11 +1234,11 @@ fn voxc_r4_4_4_g8_compare_moment_exactly(ray: voxc_r4_4_4_g8_Ray, axis: i32, fac
 }
 
 // What is known of the order of two moments: that one is later or sooner, or, of neither, that they are the same.
-fn voxc_r4_4_4_g8_order_told(ray: voxc_r4_4_4_g8_Ray, axis: i32, moment: u32, later: bool, sooner: bool,
+fn voxc_r4_4_4_g8_order_decided(ray: voxc_r4_4_4_g8_Ray, axis: i32, moment: u32, later: bool, sooner: bool,
     is_exact: bool) -> i32 {
   // Devices may not keep a denormal moment.
-  let told = (later || sooner || is_exact) && ray.plain && moment - 1u >= 0x7fffffu;
-  if (told) {
+  let decided = (later || sooner || is_exact) && ray.plain && moment - 1u >= 0x7fffffu;
+  if (decided) {
     return voxc_r4_4_4_g8_order_by_sign(ray, axis, select(select(0, -1, sooner), 1, later));
   }
   return voxc_r4_4_4_g8_UNDECIDED;
@@ -1249,7 +1249,7 @@ fn voxc_r4_4_4_g8_compare_moment_by_floats(ray: voxc_r4_4_4_g8_Ray, axis: i32, f
   let distance = f32(face) - bitcast<f32>(ray.given_origin[axis]);
   let way = bitcast<f32>(moment) * bitcast<f32>(ray.given_direction[axis]);
   let bound = (abs(distance) + abs(way)) * voxc_r4_4_4_g8_ROUNDINGS;
-  return voxc_r4_4_4_g8_order_told(ray, axis, moment, distance - way > bound, distance - way < -bound, false);
+  return voxc_r4_4_4_g8_order_decided(ray, axis, moment, distance - way > bound, distance - way < -bound, false);
 }
 
 fn voxc_r4_4_4_g8_compare_moment(ray: voxc_r4_4_4_g8_Ray, axis: i32, face: i32, moment: u32) -> i32 {
