@@ -84,7 +84,7 @@ class PagesOfAnyDevice:
                     self.assertEqual(differences(page.trace(rays, "exact"), exact_hits(volume, rays, self.folder)), 0)
 
     def test_frames_are_chosen_and_played(self):
-        animation, volume = self.folder / "walk.vox", self.folder / "traversal.hvx"
+        animation, volume = self.folder / "roll.vox", self.folder / "roll.hvx"
         subprocess.run([sys.executable, volume_page.HERE.parent / "Edit" / "Inputs" / "animation.py", "write", animation], check=True)
         voxc("build", "R(2^3) G(3)", animation, "--whole-level-dedup", "--frames", "-o", volume)
         with self.opened(page_of(volume, self.folder)[0]) as page:
