@@ -32,7 +32,7 @@ const std::array<Pass, 26> kPasses = {{
      .choice = {&kAlphaAttribute, "positive"}},
     {.name = "occupancy",
      .effect = AttributeEffect::Storage,
-     .summary = "keep of a voxel that it is there, and no colour",
+     .summary = "keep only whether there is a voxel, without its colour",
      .details = "Without it, a voxel is a colour of four bytes. With it, all voxels are equal: G and M "
                  "as the last level have a bit for each voxel and no word, so that equal shapes share "
                  "storage whatever their colours are, and kernels load no colour. Hits are white. Other "
@@ -47,114 +47,113 @@ const std::array<Pass, 26> kPasses = {{
     {.name = "palette",
      .effect = AttributeEffect::Storage,
      .summary = "state that there are at most 2^N colours, and keep each once",
-     .details = "A fact about the voxels, which a build proves: it fails at a voxel of a colour too "
-                 "much, and names it. The colours stand in a table, and the blocks of values-apart hold "
-                 "indices into it in their place, of as few bits as the block at hand asks for: N, which "
-                 "is 1 to 16 and 8 if it is not written, bounds the table and changes no size. A block of "
-                 "one colour is a reference to it. Sets values-apart too.",
+     .details = "A fact about the voxels, which a build proves: it fails at a voxel of one colour too many, "
+                 "and names it. Each colour is stored once, in a table, and the blocks of values-apart hold "
+                 "indices into it, each block with as few bits as it needs. N is 1 to 16, by default 8; it "
+                 "bounds the table and changes no size. A block of one colour is a reference to it. Sets "
+                 "values-apart too.",
      .choice = {&kPayloadAttribute, "palette(#)", ChoiceScope::Format, Unfit::Error, &kValuesAttribute},
      .number = PassNumber{"bits", 1, 16, 8}},
     {.name = "rgb565",
      .effect = AttributeEffect::Storage,
      .summary = "keep colours in 5, 6 and 5 bits: lossy",
-     .details = "Without it, colours are kept as they are. With it, each channel is the nearest of those "
-                 "that its bits encode, and alpha is 255; a build reports the largest and the mean error of "
-                 "each channel, and so does voxc verify --against. Blocks of values-apart then take fewer "
-                 "bits. Sets values-apart too.",
+     .details = "Without it, colours are kept exactly. With it, each channel is rounded to the nearest "
+                 "value that its bits can encode, and alpha is 255; a build reports the largest and the "
+                 "mean error of each channel, and so does voxc verify --against. Blocks of values-apart "
+                 "then take fewer bits. Sets values-apart too.",
      .choice = {&kPayloadAttribute, "rgb565", ChoiceScope::Format, Unfit::Error, &kValuesAttribute}},
     {.name = "material",
      .effect = AttributeEffect::Storage,
      .summary = "keep a label of N bits in place of a colour",
-     .details = "For inputs whose voxels are labels (--colour-map labels): numbers of materials, or of "
-                 "the parts of a segmentation. A hit answers the label, and pictures show it in a colour "
-                 "of its own. A build fails at a label of more than N bits, and names its voxel; N is 1 "
-                 "to 16, and 8 if it is not written. With values-apart, labels stand in blocks as the "
-                 "colours of a palette do.",
+     .details = "For inputs whose voxels are labels (--colour-map labels): numbers of materials, or of the "
+                 "parts of a segmentation. A hit returns the label, and pictures show it in a colour of its "
+                 "own. A build fails at a label of more than N bits, and names its voxel; N is 1 to 16, by "
+                 "default 8. With values-apart, labels are stored in blocks, as the colours of a palette "
+                 "are.",
      .choice = {&kPayloadAttribute, "material(#)"},
      .number = PassNumber{"bits", 1, 16, 8}},
     {.name = "values-apart",
      .effect = AttributeEffect::Storage,
      .summary = "keep the colours of voxels apart from their shape, compressed",
-     .details = "Without it, a voxel's colour stands where its shape does, and two equal shapes of other "
-                 "colours share nothing. With it, levels hold the shape alone, with counts by which the "
-                 "traversal's end finds the rank of a voxel, how many come before it; its colour is the one of "
-                 "that rank, in blocks of 128, each stored by what takes the fewest bits of runs, "
-                 "palettes and differences. A hit decodes one colour, of at most 64 bytes. The last level "
-                 "must be a G or an M, those above R, D, M or G.",
+     .details = "Without it, the colour of a voxel is stored with its shape, so that two equal shapes with "
+                 "different colours share nothing. With it, levels store only the shape, and counts from "
+                 "which a traversal computes the rank of a voxel at its end: how many voxels come before "
+                 "it. Colours are stored in the order of ranks, in blocks of 128, each by the smallest of "
+                 "runs, palettes and differences. A hit decodes one colour, of at most 64 bytes. The last "
+                 "level must be a G or an M, those above R, D, M or G.",
      .choice = {&kValuesAttribute, "apart"}},
     {.name = "short-pointers",
      .effect = AttributeEffect::Storage,
-     .summary = "lead to the last level's sub-volumes by numbers of N bits",
+     .summary = "refer to the last level's sub-volumes by numbers of N bits",
      .details = "Without it, a pointer to a grid of 4 x 4 x 4 voxels is a word, half as long as the grid "
-                 "itself. With it, these grids stand in an array, and their parents have their numbers "
-                 "there: N bits each, 8 to 24, and 20 if it is not written. A build that finds more "
-                 "different ones than there are numbers fails; with short-pointers=auto, voxc build and "
-                 "voxc run measure the input, and take the fewest bits that do. Unchanged where the last "
-                 "level is no M(2^3) below another M whose voxels are masks alone (occupancy, or "
-                 "values-apart before it).",
+                 "itself. With it, these grids are an array, and their parents store their numbers in it: N "
+                 "bits each, 8 to 24, by default 20. A build with more different grids than numbers fails; "
+                 "with short-pointers=auto, voxc build and voxc run measure the input and take the fewest "
+                 "bits that are enough. Unchanged unless the last level is an M(2^3) below another M and "
+                 "its voxels are masks alone (occupancy, or values-apart before it).",
      .choice = {&kPointersAttribute, "#", ChoiceScope::LastLevel, Unfit::LeftOut},
      .number = PassNumber{"bits", 8, 24, 20}},
     {.name = "octant-counts",
      .effect = AttributeEffect::Storage,
-     .summary = "count voxels for octants of the last level's sub-volumes alone",
-     .details = "Without it, each number of short-pointers is followed by a count of the voxels before "
-                 "its sub-volume, which takes about as many bits as the number. With it, only the first "
-                 "of each octant of eight has one, and the voxels of those between are counted in their "
-                 "masks, at most seven, when a hit's colour is asked for. Unchanged where short-pointers "
-                 "leads from no M(2^3), or colours do not stand apart.",
+     .summary = "store counts of voxels only for octants of the last level's sub-volumes",
+     .details = "Without it, each number of short-pointers is followed by a count of the voxels before its "
+                 "sub-volume, which takes about as many bits as the number. With it, only the first number "
+                 "of each octant of eight has a count; when the colour of a hit is asked for, the voxels of "
+                 "the at most seven numbers between are counted in their masks. Unchanged unless "
+                 "short-pointers is set for an M(2^3) and colours are apart.",
      .choice = {&kCountsAttribute, "octant", ChoiceScope::LastLevel, Unfit::LeftOut},
      .besidePointers = true},
     {.name = "octant-masks",
      .effect = AttributeEffect::Storage,
-     .summary = "keep of the last level's small grids the octants that are not empty",
-     .details = "Without it, each M(2^3) that numbers of short-pointers lead to is two words. With it, a "
-                 "byte says which of its eight octants have voxels, and each of these has a byte of its "
-                 "own: about a quarter less. Sixteen grids have a word in common that says where their "
-                 "bytes begin, so that a kernel reads three words or more where it read two. Unchanged "
-                 "without short-pointers.",
+     .summary = "store only the non-empty octants of the last level's small grids",
+     .details = "Without it, each M(2^3) that numbers of short-pointers refer to is two words. With it, a "
+                 "byte says which of its eight octants have voxels, and each of these has one byte: about a "
+                 "quarter less. Each sixteen grids share a word that says where their bytes begin, so that "
+                 "a kernel reads three words or more where it read two. Unchanged without short-pointers.",
      .choice = {&kMasksAttribute, "octants", ChoiceScope::LastLevel, Unfit::LeftOut}},
     {.name = "granules",
      .effect = AttributeEffect::Storage,
-     .summary = "let references count granules of two words, so that they reach 32GiB",
-     .details = "Without it, a reference is the number of a word, and a volume has at most 2^32 of them, "
-                 "16 GiB. With it, references count granules of two words, and all that they lead to "
-                 "begins at one: nodes of an odd number of words are followed by a 0. Each further time "
-                 "it doubles the granule, up to 256 words. It is an error where an S level would have "
-                 "granules of more than two words, its nodes, and with short pointers. A build that needs "
-                 "it says so; else it only costs.",
+     .summary = "count references in granules of two words, so that they reach 32GiB",
+     .details = "Without it, a reference is the number of a word, and a volume has at most 2^32 words, 16 "
+                 "GiB. With it, references count granules of two words, and everything that they refer to "
+                 "begins at a granule: nodes with an odd number of words are followed by a 0. Each further "
+                 "time doubles the granule, up to 256 words. It is an error with short pointers, and where "
+                 "an S level would have granules of more than two words. Use it only where a build asks for "
+                 "it; otherwise it is a cost.",
      .function = granules},
     {.name = "inline-leaves",
      .effect = AttributeEffect::Storage,
-     .summary = "keep the values of a G level's leaves in the slots of nodes",
-     .details = "Without it, a leaf is a word that slots point to, and equal leaves are one word. With "
-                 "it, the slot is the leaf's value: a word less for each that differs, and a load less on "
-                 "the way to it. Unchanged where no level is a G.",
+     .summary = "store the values of a G level's leaves in the slots of nodes",
+     .details = "Without it, a leaf is a word that slots refer to, and equal leaves are one word. With it, "
+                 "the slot holds the value of the leaf: one word less for each different leaf, and one load "
+                 "less on the way to it. Unchanged where no level is a G.",
      .choice = {&kLeavesAttribute, "in-slot", ChoiceScope::Levels}},
     {.name = "mirror",
      .effect = AttributeEffect::Storage,
-     .summary = "share nodes of the last level, a G, that are equal but for a reflection",
-     .details = "Without it, equal nodes are one. With it, so are nodes that become equal when they are "
-                 "reflected across some of the axes: of its eight reflections a node is written as one, and "
-                 "three bits of each reference say how the node there is to be read (the symmetry-aware DAG, "
-                 "SSVDAG). References then reach 2^29 words. Unchanged where the last level is no G of nodes "
-                 "of 2 x 2 x 2, or voxels have values: give occupancy or constant-colour too.",
+     .summary = "share nodes of the last level, a G, that are equal after a reflection",
+     .details = "Without it, equal nodes are stored once. With it, so are nodes that become equal when they "
+                 "are reflected across some of the axes: of the eight reflections of a node one is written, "
+                 "and three bits of each reference say which reflection is meant (the symmetry-aware DAG, "
+                 "SSVDAG). References then reach 2^29 words. Unchanged unless the last level is a G with "
+                 "nodes of 2 x 2 x 2 whose voxels have no values: give occupancy or constant-colour too.",
      .choice = {&kMirrorAttribute, "yes", ChoiceScope::LastLevel, Unfit::LeftOut}},
     {.name = "octant-distances",
      .effect = AttributeEffect::Storage,
      .summary = "let D levels store empty cubes by octant in place of an L1 distance",
-     .details = "Without it, an empty cell of a D level stores how far the nearest full cell is, and a "
-                 "ray looks up the cells that it may pass one by one. With it, the cell stores, for each "
-                 "octant of directions, the side of the largest empty cube that begins there and goes "
-                 "that way: a ray leaves that cube in one step. M is 15 at most, and 7 in the words of "
-                 "voxels. Unchanged where no level is a D.",
+     .details = "Without it, an empty cell of a D level stores how far the nearest full cell is, and a ray "
+                 "looks up the cells that it may pass one by one. With it, the cell stores for each octant "
+                 "of directions the side of the largest empty cube that begins there and extends that way: "
+                 "a ray crosses that cube in one step. M is at most 15, and 7 in the words of voxels. "
+                 "Unchanged where no level is a D.",
      .choice = {&kMetricAttribute, "octant", ChoiceScope::Levels}},
     {.name = "df-packing",
      .effect = AttributeEffect::Storage,
-     .summary = "keep the distances of D levels in the words of their empty cells",
-     .details = "Without it, a cell of a D level has two words, of which one is always without use: a "
-                 "value or a distance. With it, an empty cell's word holds its distance. References then "
-                 "have 31 bits, and a bit distinguishes them from distances; voxels are recognised by their alpha, so "
-                 "that a D as the last level needs visible-voxels first. Unchanged where no level is a D.",
+     .summary = "store the distances of D levels in the words of their empty cells",
+     .details = "Without it, a cell of a D level has two words, of which one is always unused: the value or "
+                 "the distance. With it, the word of an empty cell holds its distance. References then have "
+                 "31 bits, and one bit distinguishes them from distances; voxels are recognised by their "
+                 "alpha, so that a D as the last level needs visible-voxels first. Unchanged where no level "
+                 "is a D.",
      .choice = {&kDistancesAttribute, "in-slot", ChoiceScope::Levels}},
     {.name = "merge-grids",
      .effect = AttributeEffect::Storage,
@@ -181,15 +180,15 @@ const std::array<Pass, 26> kPasses = {{
     {.name = "unroll-sv",
      .effect = AttributeEffect::Traversal,
      .summary = "traverse octrees and DAGs by a loop for each height, without a stack",
-     .details = "The stack traversal is one loop, which goes up and down. Unrolling writes out its levels: a "
-                 "function for each height of the tree, which goes over the children of a node and calls "
-                 "the one below. Excludes restart-sv. Unchanged where no level is a tree.",
+     .details = "The stack traversal is one loop, which goes up and down. Unrolling makes a function for "
+                 "each height of the tree, which visits the children of a node and calls the function of "
+                 "the height below. Excludes restart-sv. Unchanged where no level is a tree.",
      .choice = {&kTraversalAttribute, "unrolled", ChoiceScope::Trees}},
     {.name = "nested-traversal",
      .effect = AttributeEffect::Traversal,
      .summary = "traverse by a loop for each level, which calls that of the next",
-     .details = "What formats of few levels have as a rule; others have direct-traversal without being asked. Excludes "
-                 "flat-traversal and direct-traversal.",
+     .details = "The default for formats of few levels; formats of many levels have direct-traversal by "
+                 "default. Excludes flat-traversal and direct-traversal.",
      .choice = {&kLevelsAttribute, "nested"}},
     {.name = "flat-traversal",
      .effect = AttributeEffect::Traversal,
@@ -203,26 +202,25 @@ const std::array<Pass, 26> kPasses = {{
      .effect = AttributeEffect::Traversal,
      .summary = "traverse by one loop that goes down from the root in each turn",
      .details = "Without it, each level has a loop, which calls that of the next. With it there is one "
-                 "loop, and each turn goes down through all levels, straight and without a loop, to a "
-                 "voxel or to what is known to be empty around: where a format has few layers of nodes, "
-                 "rays of a group then never wait for each other. Formats of 8 levels and more have it "
-                 "without being asked. Excludes flat-traversal, restart-sv and unroll-sv, and gives way to "
-                 "detail=cone.",
+                 "loop, and each turn goes down through all levels, without an inner loop, to a voxel or to "
+                 "an empty region: where a format has few layers of nodes, the rays of a group then never "
+                 "wait for each other. It is the default for formats of 8 levels and more. Excludes "
+                 "flat-traversal, restart-sv and unroll-sv, and gives way to detail=cone.",
      .choice = {&kLevelsAttribute, "direct"}},
     {.name = "shared-stack",
      .effect = AttributeEffect::Traversal,
-     .summary = "keep the nodes above a cell in memory that a group of rays shares",
-     .details = "Stack traversals and flat ones keep references to the nodes above the current cell, an array "
-                 "for each ray, which a device puts into registers or into memory behind its caches. With "
-                 "it, the arrays of a group of rays stand in the memory that the group shares, beside "
-                 "each other, 256 bytes for each layer of a tree. Kernels for the cpu have no such "
-                 "memory, nor have functions for the shaders of others: theirs stays private. Unchanged "
-                 "where traversals keep no nodes: give it after the pass that chooses the traversal.",
+     .summary = "store the nodes above a cell in memory that a group of rays shares",
+     .details = "Stack traversals and flat ones keep references to the nodes above the current cell, an "
+                 "array for each ray, which a device puts into registers or into memory behind its caches. "
+                 "With it, the arrays of a group of rays are in the memory that the group shares, side by "
+                 "side, 256 bytes for each layer of a tree. Kernels for the cpu have no such memory, nor do "
+                 "functions for other shaders know their group: theirs stays private. Unchanged where "
+                 "traversals keep no nodes.",
      .function = sharedStack},
     {.name = "strip-traversal",
      .effect = AttributeEffect::Traversal,
      .summary = "remove the attributes that concern the kernel alone",
-     .details = "Gives the format as volumes store it.",
+     .details = "The result is the format as volumes store it.",
      .function = stripTraversal,
      .rewrites = true},
 }};

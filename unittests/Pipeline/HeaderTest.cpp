@@ -3,7 +3,7 @@
 #include "HeaderQueries.h"
 #include "TestLength.h"
 
-#include "Emit/Names.h"
+#include "Emit/RuntimeText.h"
 #include "Jit/Jit.h"
 #include "Oracle/BruteForce.h"
 #include "testing/HardRays.h"

@@ -24,9 +24,8 @@
 // GLSL's vectors and built-in functions in C++.
 namespace voxc_r4_4_4_g8_text {
 
-// voxc_vector.h: the vectors of GLSL that kernels use, in C++: plain structures, since what runs several rays at once
-// makes a
-// wide register of each component. Freestanding; for Clang 17 and GCC 12, or later ones.
+// voxc_vector.h: the vectors of GLSL that kernels use, in C++: plain structures, since what runs several rays
+// at once makes a wide register of each component. Freestanding; for Clang 17 and GCC 12, or later ones.
 
 // What CUDA wants before a function that a device may call.
 #ifndef VOXC_DEVICE
@@ -40,8 +39,8 @@ namespace voxc::glsl {
 
 using uint = unsigned int;
 
-/// The component of a vector whose number is known when the kernel runs: picked by comparisons, so that vectors need no
-/// memory.
+/// The component of a vector whose number is known when the kernel runs: picked by comparisons, so that
+/// vectors need no memory.
 template <typename Vector, typename T> struct Component {
   Vector &vector;
   int number;
@@ -54,14 +53,16 @@ template <typename Vector, typename T> struct Component {
   VOXC_CONSTANT Component &operator=(const Component &other) { return *this = T(other); }
 };
 
-/// Three components. Copied one by one, and never as a block of memory, which optimisers take to pieces less readily.
+/// Three components. Copied one by one, and never as a block of memory, which optimisers take to pieces less
+/// readily.
 template <typename T> struct Vector3 {
   T x, y, z;
 
   Vector3() = default;
   VOXC_CONSTANT explicit Vector3(T all) : x(all), y(all), z(all) {}
   VOXC_CONSTANT Vector3(T x, T y, T z) : x(x), y(y), z(z) {}
-  template <typename U> VOXC_CONSTANT explicit Vector3(const Vector3<U> &v) : x(T(v.x)), y(T(v.y)), z(T(v.z)) {}
+  template <typename U>
+  VOXC_CONSTANT explicit Vector3(const Vector3<U> &v) : x(T(v.x)), y(T(v.y)), z(T(v.z)) {}
   VOXC_CONSTANT Vector3(const Vector3 &v) : x(v.x), y(v.y), z(v.z) {}
   VOXC_CONSTANT Vector3 &operator=(const Vector3 &v) {
     x = v.x;
@@ -141,8 +142,8 @@ VOXC_INLINE bvec3 operator!(const bvec3 &v) { return {!v.x, !v.y, !v.z}; }
 
 } // namespace voxc::glsl
 
-// voxc_glsl.h: the built-in functions of GLSL that kernels call, in C++. Freestanding; for Clang 17 and GCC 12, or
-// later ones.
+// voxc_glsl.h: the built-in functions of GLSL that kernels call, in C++. Freestanding; for Clang 17 and GCC
+// 12, or later ones.
 
 
 // Kernels want all functions in their loops, in registers, but for those that are seldom called.
@@ -273,7 +274,8 @@ template <typename T, typename Bound>
 VOXC_INLINE Vector3<T> clamp(const Vector3<T> &value, Bound least, Bound most) {
   return min(max(value, least), most);
 }
-template <typename T> VOXC_INLINE Vector3<T> mix(const Vector3<T> &a, const Vector3<T> &b, const bvec3 &takesB) {
+template <typename T>
+VOXC_INLINE Vector3<T> mix(const Vector3<T> &a, const Vector3<T> &b, const bvec3 &takesB) {
   return {takesB.x ? b.x : a.x, takesB.y ? b.y : a.y, takesB.z ? b.z : a.z};
 }
 
@@ -284,7 +286,9 @@ VOXC_INLINE bool any(const bvec3 &v) { return v.x | v.y | v.z; }
 template <typename T> VOXC_INLINE bool operator==(const Vector3<T> &a, const Vector3<T> &b) {
   return all(equal(a, b));
 }
-template <typename T> VOXC_INLINE bool operator!=(const Vector3<T> &a, const Vector3<T> &b) { return !(a == b); }
+template <typename T> VOXC_INLINE bool operator!=(const Vector3<T> &a, const Vector3<T> &b) {
+  return !(a == b);
+}
 
 VOXC_INLINE uvec3 floatBitsToUint(const vec3 &v) {
   return {floatBitsToUint(v.x), floatBitsToUint(v.y), floatBitsToUint(v.z)};

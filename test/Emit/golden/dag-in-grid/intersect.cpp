@@ -3,44 +3,31 @@
 // Integers wrap, as in GLSL, nothing is contracted, and floats are read as their bits:
 //     -O3 -fwrapv -ffp-contract=off -fno-strict-aliasing
 #define VOXC_NARROW_PACKETS // Each level has a loop, and lanes in one wait for those in another: fewer lanes, less waiting.
-#include "voxc_glsl.h"
-#include "voxc_lanes.h"
+#include "voxc_interface.h"
+
+namespace {
 
 using namespace voxc::glsl;
 
-namespace {
+// What the plan decides.
+struct Plan {
+  static constexpr int LOG2_GRANULE = 0;
+  static constexpr bool PAGED = false;
+  static constexpr bool ARRIVAL = true;
+  static constexpr bool VOXEL = true;
+  static constexpr bool T = true;
+  static constexpr bool FACE = false;
+  static constexpr bool COLOUR = true;
+  static constexpr bool BOUNDED = false;
+  static constexpr bool DOUBLES = false;
+  static constexpr bool EXACT = true;
+  static constexpr bool COUNT_WORDS = false;
+};
 
 VOXC_BEGIN_INLINE
 
 // One without the exact fallback defers the rays that need exact arithmetic to one with it.
-template <bool EXACT_FALLBACK> struct Kernel {
-  // The volume's words.
-  const uint *words;
-  // Six words of a ray, the bits of floats: origin, direction.
-  const uint *ray_words;
-  // Six words of a hit: voxel, rgba, t, lookups or words read.
-  uint *hit_words;
-  // Count the lookups of each ray. A choice at run time: it costs next to nothing, and a second kernel twice the
-  // compile time.
-  bool COUNT_LOOKUPS;
-  // A traversal is let go where fewer lanes than these are at work.
-  uint FEWEST_LANES;
-  // How wide a ray's cone grows for each voxel of its length, in kernels that stop at what looks smaller.
-  float SPREAD;
-
-  // Rays that begin far away are moved near the volume.
-  static constexpr bool COMES_NEAR = true;
-
-  // Count the words that the ray reads, and store that in place of its lookups.
-  static constexpr bool COUNT_WORDS = false;
-  uint words_read = 0;
-
-  uint load_word(uint offset) {
-    if (COUNT_WORDS)
-      words_read++;
-    return words[offset];
-  }
-
+template <bool EXACT_FALLBACK> struct Kernel : Interface<Plan> {
   // Voxels along each axis.
   static inline const ivec3 VOLUME_SIZE = ivec3(4096, 4096, 4096);
 
@@ -1433,313 +1420,7 @@ template <bool EXACT_FALLBACK> struct Kernel {
 
 VOXC_END_INLINE
 
-// Rays at work.
-struct Rays {
-  const uint *words; // The volume's.
-  const uint *ray_words;
-  uint *hit_words;
-  bool count_lookups;
-  uint fewest_lanes; // That a packet goes on with.
-  float spread;
-  uint deferred_lookups; // What a step that exact arithmetic resolves adds to the look-ups that are counted.
-  bool in_packets = true;
-
-  template <typename Kernel> Kernel kernel() const { return {words, ray_words, hit_words, count_lookups, fewest_lanes, spread}; }
-};
-
-// Counts what exact arithmetic has done for a ray.
-inline void count_deferred(const Rays &rays, uint ray_number) {
-  if (rays.deferred_lookups != 0)
-    rays.hit_words[6 * ray_number + 5] += rays.deferred_lookups;
-}
-
-// Few enough for what belongs to them to stay near.
-constexpr uint BATCH = 2048;
-
-// Sends for the rays of a packet to come, and for where their hits will stand. Gathers and scatters alone wait for each line.
-void fetch_packet(const Rays &rays, uint ray_number) {
-  constexpr uint LINE = 16; // In words.
-  for (uint word = 0; word < 6 * LANES; word += LINE)
-    __builtin_prefetch(rays.ray_words + 6 * ray_number + word);
-  for (uint word = 0; word < 6 * LANES; word += LINE)
-    __builtin_prefetch(rays.hit_words + 6 * ray_number + word, 1);
-}
-
-// What becomes of a ray in a packet.
-constexpr uint DONE = 0;
-constexpr uint YIELDED = 1;    // It is to go on among others.
-constexpr uint PENDING = 2;    // A step is to be resolved.
-constexpr uint UNPREPARED = 3; // Its numbers are to be had by exact arithmetic alone.
-constexpr uint UNTIMED = 4; // And the axis: how it arrives is to be had so.
-
-// The number of no ray.
-constexpr uint NONE = ~0u;
-
-// What exact arithmetic has made of rays: the members of Ray that are no integers and that traverses ask for, for each lane.
-struct Prepared {
-  float numbers[17][LANES];
-};
-
-template <typename Ray, typename Function> VOXC_INLINE void for_each_number(Ray &ray, Function function) {
-  const auto components = [&](auto &v, uint first) {
-    function(v.x, first);
-    function(v.y, first + 1);
-    function(v.z, first + 2);
-  };
-  components(ray.origin, 0);
-  components(ray.direction, 3);
-  components(ray.inverse, 6);
-  components(ray.origin_low, 9);
-  function(ray.t_error, 12);
-  function(ray.cell_margin, 13);
-  components(ray.late, 14);
-}
-
-// Traces one ray of a packet.
-template <typename Kernel>
-VOXC_INLINE uint trace_lane(Kernel kernel, uint ray_number, bool goes_on, const Prepared *prepared, uint lane) {
-  const uint at = 6 * ray_number;
-  typename Kernel::Traversal traversal = kernel.traversal_at(ivec3(-1));
-  if (goes_on)
-    traversal = kernel.deferred_traversal(at);
-  const uvec3 direction = kernel.load_direction(at);
-  const uint root = kernel.load_word(0); // Leads to level 1, unless the volume is empty.
-  typename Kernel::Ray ray;
-  bool is_active = kernel.begin_traversal(kernel.load_origin(at), direction, root, ray, traversal);
-  if (prepared != nullptr) {
-    for_each_number(ray, [&](float &value, uint number) { value = prepared->numbers[number][lane]; });
-    traversal = kernel.deferred_traversal(at);
-    is_active = true;
-  }
-  bool hit = is_active && kernel.intersect_level_1(ray, traversal, root);
-  hit = kernel.end_traversal(kernel.load_origin(at), direction, traversal, hit);
-  if (traversal.pending_step != Kernel::NO_PENDING_STEP || (!hit && kernel.is_in_volume(traversal.cell))) {
-    kernel.store_hit(at, kernel.words_of_deferred(traversal));
-    return traversal.pending_step >= 0 ? PENDING : traversal.pending_step == Kernel::NO_PENDING_STEP ? YIELDED : UNPREPARED;
-  }
-  bool sure;
-  const typename Kernel::Arrival arrival = kernel.arrival_at(ray, traversal, hit, sure);
-  kernel.store_hit(at, kernel.words_of(traversal, hit, arrival));
-  return sure ? DONE : UNTIMED + uint(traversal.axis);
-}
-
-using Lanes = Kernel<false>;
-
-// Traces the rays of a list, `count` at most LANES, side by side.
-VOXC_PART_FUNCTION void trace_packet(const Rays &rays, const uint *list, uint count, bool goes_on, const Prepared *prepared,
-                                     uint *outcomes);
-#if VOXC_PARTS & VOXC_PART_OF_PACKETS
-void trace_packet(const Rays &rays, const uint *list, uint count, bool goes_on, const Prepared *prepared, uint *outcomes) {
-  const uint lane = lane_number(LANES);
-  if (lane >= count || list[lane] == NONE)
-    return;
-  const uint ray_number = list[lane] % BATCH; // It is below: so that offsets are seen to be small.
-  outcomes[lane] = trace_lane(rays.kernel<Lanes>(), ray_number, goes_on, prepared, lane);
-}
-#endif
-
-// Exact arithmetic, for single rays.
-
-// Makes a ray ready for a lane. False if there is nothing that it could hit.
-VOXC_PART_FUNCTION bool prepare(const Rays &rays, uint ray_number, Prepared &prepared, uint lane);
-
-// Does for a ray what its outcome asks for. True if it is to go on.
-VOXC_PART_FUNCTION bool go_on_exactly(const Rays &rays, uint ray_number, uint outcome);
-
-#if VOXC_PARTS & VOXC_PART_OF_EXACTNESS
-using Exact = Kernel<true>;
-
-[[gnu::noinline]] bool begin_exactly(Exact &kernel, uint at, bool goes_on, Exact::Ray &ray, Exact::Traversal &traversal) {
-  traversal = kernel.traversal_at(ivec3(-1));
-  if (goes_on)
-    traversal = kernel.deferred_traversal(at);
-  return kernel.begin_traversal(kernel.load_origin(at), kernel.load_direction(at), kernel.load_word(0), ray, traversal);
-}
-
-bool prepare(const Rays &rays, uint ray_number, Prepared &prepared, uint lane) {
-  Exact kernel = rays.kernel<Exact>();
-  const uint at = 6 * ray_number;
-  Exact::Traversal traversal;
-  Exact::Ray ray;
-  if (!begin_exactly(kernel, at, false, ray, traversal)) {
-    kernel.store_hit(at, kernel.words_without_arrival(traversal, false));
-    return false;
-  }
-  for_each_number(ray, [&](float &value, uint number) { prepared.numbers[number][lane] = value; });
-  kernel.store_hit(at, kernel.words_of_deferred(traversal));
-  count_deferred(rays, ray_number);
-  return true;
-}
-
-// Resolves the pending step of a ray. False if that has brought it out of the volume.
-[[gnu::noinline]] bool resolve_exactly(const Rays &rays, uint ray_number) {
-  Exact kernel = rays.kernel<Exact>();
-  const uint at = 6 * ray_number;
-  Exact::Traversal traversal;
-  Exact::Ray ray;
-  begin_exactly(kernel, at, true, ray, traversal);
-  kernel.resolve_step(ray, traversal);
-  const bool stays = kernel.is_in_volume(traversal.cell);
-  if (stays)
-    kernel.store_hit(at, kernel.words_of_deferred(traversal));
-  else
-    kernel.store_hit(at, kernel.words_without_arrival(traversal, false));
-  count_deferred(rays, ray_number);
-  return stays;
-}
-
-// Finds how a ray arrives at a hit, on whose cell it came by an axis.
-[[gnu::noinline]] void find_arrival(const Rays &rays, uint ray_number, int axis) {
-  Exact kernel = rays.kernel<Exact>();
-  const uint at = 6 * ray_number;
-  Exact::Traversal traversal;
-  Exact::Ray ray;
-  begin_exactly(kernel, at, false, ray, traversal);
-  uint *hit = rays.hit_words + at;
-  traversal.cell = ivec3(int(hit[0]), int(hit[1]), int(hit[2]));
-  traversal.axis = axis;
-  hit[4] = kernel.time_exactly(ray, axis, kernel.entered_face(ray, traversal));
-  count_deferred(rays, ray_number);
-}
-
-bool go_on_exactly(const Rays &rays, uint ray_number, uint outcome) {
-  if (outcome >= UNTIMED) {
-    find_arrival(rays, ray_number, int(outcome - UNTIMED));
-    return false;
-  }
-  return resolve_exactly(rays, ray_number);
-}
-#endif
-
-#if VOXC_PARTS & VOXC_PART_OF_BATCHES
-// Traces one ray, as fast as it goes without others.
-[[gnu::noinline]] uint trace_alone(const Rays &rays, uint ray_number, bool goes_on, const Prepared *prepared, uint lane) {
-  return trace_lane(rays.kernel<Lanes>(), ray_number, goes_on, prepared, lane);
-}
-
-// Traces the rays of a list, `count` at most LANES.
-void trace_rays(const Rays &rays, const uint *list, uint count, bool goes_on, const Prepared *prepared, uint *outcomes) {
-  if (LANES > 1 && rays.in_packets && count > 1)
-    return trace_packet(rays, list, count, goes_on, prepared, outcomes);
-  for (uint lane = 0; lane < count; lane++)
-    if (list[lane] != NONE)
-      outcomes[lane] = trace_alone(rays, list[lane], goes_on, prepared, lane);
-}
-
-#if VOXC_PARTS & VOXC_PART_OF_PACKETS
-bool are_worth_packets(uint) { return true; }
-#else
-// To compile packets takes as long as to trace so many rays one by one.
-constexpr uint WORTH_PACKETS = 1 << 18;
-
-bool are_worth_packets(uint count) {
-  static uint traced = 0;
-  if (__atomic_load_n(&traced, __ATOMIC_RELAXED) >= WORTH_PACKETS)
-    return true;
-  __atomic_fetch_add(&traced, count, __ATOMIC_RELAXED);
-  return false;
-}
-#endif
-
-// A packet with less than half of its lanes at work lets them go, where there are enough others to go on with.
-constexpr uint FEWEST_LANES = LANES / 2;
-constexpr uint WORTH_PACKING = 4 * LANES;
-// So often: a ray that is let go may not have come further, and after that each does.
-constexpr uint MOST_PACKINGS = 16;
-
-// As many as any traversal has.
-uint most_steps() { return uint(Lanes::VOLUME_SIZE.x + Lanes::VOLUME_SIZE.y + Lanes::VOLUME_SIZE.z); }
-
-// Tells of a ray whose traversal would not have ended.
-void report_nonterminated(const Rays &rays, uint ray_number) {
-  for (uint axis = 0; axis < 3; axis++)
-    rays.hit_words[6 * ray_number + axis] = 0x80000001u;
-}
-
-// Whether exact arithmetic has to say how it goes on.
-bool is_pending(uint outcome) { return outcome == PENDING || outcome > UNPREPARED; }
-
-// Traces rays which exact arithmetic has to prepare, in one packet.
-void trace_hard(Rays rays, const uint *list, uint count) {
-  rays.fewest_lanes = 0;
-  Prepared prepared;
-  uint numbers[LANES];
-  uint left = 0;
-  for (uint lane = 0; lane < count; lane++) {
-    const bool is_active = prepare(rays, list[lane], prepared, lane);
-    numbers[lane] = is_active ? list[lane] : NONE;
-    left += is_active;
-  }
-  for (uint step = 0; step < most_steps() && left > 0; step++) {
-    uint outcomes[LANES];
-    trace_rays(rays, numbers, count, true, &prepared, outcomes);
-    for (uint lane = 0; lane < count; lane++) {
-      if (numbers[lane] == NONE)
-        continue;
-      if (is_pending(outcomes[lane]) && go_on_exactly(rays, numbers[lane], outcomes[lane]))
-        continue;
-      numbers[lane] = NONE;
-      left--;
-    }
-  }
-  for (uint lane = 0; lane < count; lane++)
-    if (numbers[lane] != NONE)
-      report_nonterminated(rays, numbers[lane]);
-}
-
-// Traces rays packet by packet; then those again of which a step had to be resolved, until all are done.
-void answer_batch(Rays rays, uint count) {
-  // A traversal that is let go looks again where it goes on.
-  const bool counts = rays.count_lookups || Lanes::COUNT_WORDS;
-  rays.in_packets = are_worth_packets(count);
-  uint list[BATCH];
-  uint hard[LANES] = {};
-  uint hard_count = 0;
-  for (uint i = 0; i < count; i++)
-    list[i] = i;
-  for (uint step = 0; step <= MOST_PACKINGS + most_steps() && count > 0; step++) {
-    const bool packs = rays.in_packets && step < MOST_PACKINGS && count > WORTH_PACKING && !counts;
-    uint left = 0;
-    for (uint first = 0; first < count; first += LANES) {
-      const uint size = min(count - first, LANES);
-      if (step == 0)
-        fetch_packet(rays, list[first] + 2 * LANES); // Beyond the last: no harm, and often those of the next batch.
-      rays.fewest_lanes = packs && size == LANES ? FEWEST_LANES : 0;
-      uint outcomes[LANES];
-      trace_rays(rays, list + first, size, step > 0, nullptr, outcomes);
-      for (uint lane = 0; lane < size; lane++) {
-        const uint ray_number = list[first + lane];
-        if (outcomes[lane] == DONE)
-          continue;
-        if (outcomes[lane] == UNPREPARED)
-          hard[hard_count++] = ray_number;
-        else if (outcomes[lane] == YIELDED || go_on_exactly(rays, ray_number, outcomes[lane]))
-          list[left++] = ray_number;
-        if (hard_count == LANES) {
-          trace_hard(rays, hard, hard_count);
-          hard_count = 0;
-        }
-      }
-    }
-    count = left;
-  }
-  trace_hard(rays, hard, hard_count);
-  for (uint i = 0; i < count; i++)
-    report_nonterminated(rays, list[i]);
-}
-#endif
-
 } // namespace
 
-#if VOXC_PARTS & VOXC_PART_OF_BATCHES
-// Answers `count` rays, six floats each, from the words of a volume by as many hits, six words each.
-extern "C" void voxc_intersect(const uint *words, const float *rays, uint *hits, unsigned long long count,
-                           int count_lookups, float spread) {
-  const uint *ray_words = reinterpret_cast<const uint *>(rays);
-  for (unsigned long long first = 0; first < count; first += BATCH) {
-    const Rays batch = {words, ray_words + 6 * first, hits + 6 * first, count_lookups != 0, 0, spread,
-                        count_lookups == 2 ? 1u << 16 : 0u};
-    answer_batch(batch, count - first < BATCH ? uint(count - first) : BATCH);
-  }
-}
-#endif
+#define VOXC_SYMBOL voxc_intersect
+#include "voxc_batches.h"
