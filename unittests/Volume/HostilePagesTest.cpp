@@ -43,8 +43,7 @@ TEST_F(HostilePages, OfAHostileTableIsRefused) {
   EXPECT_EQ(errorWith(kTable + kRow + kPageBytes, 4096u), "no error");
   const auto all = ~std::uint64_t{0};
   for (const std::uint64_t elements : {all, all - kPage, all / 2, std::uint64_t{1} << 40})
-    EXPECT_THAT(errorWith(kTable + kRow + kElements, elements),
-                HasSubstr("more pages than its head lists"));
+    EXPECT_THAT(errorWith(kTable + kRow + kElements, elements), HasSubstr("more pages than its head lists"));
   EXPECT_THAT(errorWith(kTable + kElements, all), HasSubstr("that no file can hold"));
   EXPECT_THAT(errorWith(kTable + kElements, std::uint64_t{0}), HasSubstr("has no words"));
   EXPECT_THAT(errorWith(kTable + kRow + kElementBytes, 257u), HasSubstr("no possible size"));

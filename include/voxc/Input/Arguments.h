@@ -50,8 +50,8 @@ std::string problemOfFillColour(const std::string &text);
 std::string problemOfVoxelSize(const std::string &text);
 std::string problemOfUnit(const std::string &text);
 
-/// Whether every value is one that its option takes: for anyone who has no command line that refuses others. Error:
-/// `Usage`, naming the first that is not.
+/// Whether every value is one that its option takes: for anyone who has no command line that refuses others.
+/// Error: `Usage`, naming the first that is not.
 Expected<void> checkInputValues(const InputArguments &arguments);
 
 /// Whether every option that was given means something for this input, as a command line has it. Error:

@@ -17,7 +17,7 @@ struct Progress {
   /// Set by anyone, also a signal handler, to end the work early with `ErrorKind::Interrupted`.
   const std::atomic<bool> *stop = nullptr;
   /// Asked besides, as often as the work looks whether to stop, and by several threads at once; true ends the
-  /// work in the same way, and has to be followed by true. For anyone who has a deadline, and no one to set a flag.
+  /// work in the same way, and has to be followed by true. For deadlines that nobody sets a flag for.
   std::function<bool()> ask;
 
   void at(std::string_view stage, double fraction, std::uint64_t done = 0) const {
