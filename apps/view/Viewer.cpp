@@ -1,6 +1,7 @@
 // What the viewer shows, and what it does with what its threads bring.
 #include "view/Viewer.h"
 
+#include "common/Png.h"
 #include "view/Words.h"
 #include "voxc/Render/View.h"
 
@@ -48,7 +49,8 @@ Clip clipIn(const Scene &scene, const tool::ClipOptions &options) {
 
 Viewer::Viewer(ViewerOptions options, SceneMaker maker, EventLog &log, std::function<void()> wake)
     : options_(std::move(options)), maker_(std::move(maker)), log_(log), wake_(std::move(wake)),
-      screenshots_(options_.screenshots, wake_), saver_(options_.screenshots, wake_), oracleCheck_(wake_),
+      screenshots_(options_.screenshots, ".png", wake_), volumes_(options_.screenshots, ".hvx", wake_),
+      oracleCheck_(wake_),
       painter_({kBudget, options_.picture.samples > 0 ? options_.picture.samples : kFinest}, wake_) {
   state_.style = tool::styleOf(options_.picture);
   request(options_.wish);
@@ -204,7 +206,7 @@ bool Viewer::advance(double seconds) {
   take(painter_, [this](Painting painting) { takePainting(std::move(painting)); });
   take(pick_, [this](const Expected<Pick> &pick) { takePick(pick); });
   take(screenshots_, [this](const Expected<std::string> &path) { takeScreenshot(path); });
-  take(saver_, [this](const Expected<std::string> &path) { takeSaved(path); });
+  take(volumes_, [this](const Expected<std::string> &path) { takeSaved(path); });
   take(carving_, [this](const Expected<Carving> &carving) { takeCarving(carving); });
   take(cut_, [this](const auto &cut) { takeCut(cut); });
   take(placed_, [this](const Expected<Camera> &camera) { takeCamera(camera); });
@@ -313,7 +315,8 @@ void Viewer::copyCamera() {
 void Viewer::writeScreenshot() {
   if (picture_.pixels.empty())
     return;
-  if (const auto before = screenshots_.write(picture_))
+  if (const auto before = screenshots_.write(
+          [picture = picture_](const std::string &path) { return tool::writePng(path, picture); }))
     takeScreenshot(*before);
   shot_ = state_.picture;
 }

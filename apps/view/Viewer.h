@@ -4,12 +4,11 @@
 #include "view/Carving.h"
 #include "view/EventLog.h"
 #include "view/Motion.h"
+#include "view/NumberedFiles.h"
 #include "view/OracleCheck.h"
 #include "view/Painter.h"
 #include "view/PrefetchThread.h"
-#include "view/Screenshots.h"
 #include "view/SearchPoints.h"
-#include "view/VolumeSaver.h"
 
 #include "common/ClipOptions.h"
 #include "common/PictureOptions.h"
@@ -188,8 +187,7 @@ private:
   LatestValue<Expected<Camera>> placed_;
   LatestValue<Expected<Carving>> carving_;
   LatestValue<Expected<std::shared_ptr<const Volume>>> cut_;
-  Screenshots screenshots_;
-  VolumeSaver saver_;
+  NumberedFiles screenshots_, volumes_;
   OracleCheck oracleCheck_;
   Painter painter_;
   PrefetchThread prefetch_;

@@ -1,7 +1,27 @@
 // What the viewer does with the frames of an animation, and saving what is to be seen.
 #include "view/Viewer.h"
 
+#include "common/UserCache.h"
+#include "voxc/Construct/Constructor.h"
+#include "voxc/Source/Sources.h"
+
 namespace voxc::view {
+namespace {
+
+/// The file that a build of the voxels makes.
+Expected<void> buildFile(const std::shared_ptr<const Volume> &volume, const std::string &path) {
+  const auto constructor = Constructor::compile(volume->format(), tool::compileCache());
+  if (!constructor)
+    return constructor.error();
+  BuildOptions options;
+  options.provenance = volume->info().provenance;
+  options.path = path;
+  const auto source = makeVolumeSource(volume);
+  const auto built = constructor->build(*source, options);
+  return built ? Expected<void>() : built.error();
+}
+
+} // namespace
 
 /// Has the thread that paints show it.
 void Viewer::chooseFrame(std::size_t index) {
@@ -49,7 +69,10 @@ void Viewer::saveVolume() {
   const auto frames = scene_->sculpture->frozenFrames();
   if (!frames)
     return fail(frames.error());
-  if (const auto before = saver_.write({*frames, scene_->frozen()}))
+  const auto write = [frames = *frames, volume = scene_->frozen()](const std::string &path) {
+    return frames ? frames->save(path) : buildFile(volume, path);
+  };
+  if (const auto before = volumes_.write(write))
     takeSaved(*before);
 }
 

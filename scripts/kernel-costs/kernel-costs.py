@@ -139,12 +139,12 @@ def format_of(volume):
 
 def ray_costs(voxc, volume, rays, every, folder):
     run(voxc, "compile", folder / "format.vir", "--emit=cpp", "-o", folder, "--quiet")
-    kernel = folder / "intersect.cpp"
-    text = kernel.read_text()
-    asked = text.replace("return words[offset];", "return touched(words + offset);")
+    interface, kernel = folder / "voxc_interface.h", folder / "intersect.cpp"
+    text = interface.read_text()
+    asked = re.sub(r"return words\[(.*?)\];", r"return touched(words + (\1));", text)
     if asked == text:
         sys.exit(f"{volume}: its kernel has another load_word than this script knows")
-    kernel.write_text('#include "touched.h"\n' + asked)
+    interface.write_text(asked.replace("#pragma once\n", '#pragma once\n\n#include "touched.h"\n', 1))
     run("c++", "-std=c++20", "-O2", "-w", "-I", HERE, "-I", folder, kernel, HERE / "touched.cpp", "-o", folder / "touched")
     return [run(folder / "touched", volume, file, every).split() for file in rays]
 
