@@ -48,6 +48,9 @@ ConstructConstant constantOf(std::string_view name, const Value &value) {
   return {std::string(name), constantText(name, value)};
 }
 
+/// What is asked of grids alone.
+constexpr std::string_view kOfGrids[] = {"SHAPE", "INTERNS"};
+
 /// What is asked of distances alone.
 constexpr std::string_view kOfDistances[] = {"EMPTY_IS_ZERO",        "REACH",      "DISTANCES_BESIDE",
                                              "DISTANCES_OF_OCTANTS", "FIELD_BITS", "FIELD_MASK",
@@ -71,6 +74,10 @@ std::vector<ConstructConstant> constructConstants(const Plan &plan, std::size_t 
     constants.push_back(constantOf(constant.name, constant.of(plan, index)));
   for (const SlotConstant &own : at(plan, index).slots->constants(at(plan, index)))
     constants.push_back(constantOf(own.name, std::visit([](auto value) { return Value(value); }, own.value)));
+  if (!at(plan, index).isGrid())
+    std::erase_if(constants, [](const ConstructConstant &constant) {
+      return std::ranges::find(kOfGrids, constant.name) != std::end(kOfGrids);
+    });
   if (!at(plan, index).distances())
     std::erase_if(constants, [](const ConstructConstant &constant) {
       return std::ranges::find(kOfDistances, constant.name) != std::end(kOfDistances);
