@@ -40,8 +40,22 @@ foreach(export runtime compiler c)
   install(EXPORT voxc-${export} FILE voxc-${export}.cmake NAMESPACE voxc:: DESTINATION "${packageDirectory}" COMPONENT dev)
 endforeach()
 
-# Headers, but for what only this repository uses and what this build lacks.
+# Headers, but for what only this repository uses and what this build lacks. docs/headers.md lists what is promised, what lies
+# beneath that, and what is of this tree, which programs elsewhere do not get to see.
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/docs/headers.md")
+file(READ "${PROJECT_SOURCE_DIR}/docs/headers.md" internalHeaderPage)
+string(REGEX REPLACE "^.*## Of this tree" "" internalHeaderPage "${internalHeaderPage}")
+string(REGEX MATCHALL "voxc/[A-Za-z]+/[A-Za-z0-9]+[.]h" internalHeaderNames "${internalHeaderPage}")
 set(internalHeaders)
+foreach(header IN LISTS internalHeaderNames)
+  list(APPEND internalHeaders PATTERN "${header}" EXCLUDE)
+  get_filename_component(folder "${header}" DIRECTORY)
+  file(GLOB others RELATIVE "${PROJECT_SOURCE_DIR}/include" "${PROJECT_SOURCE_DIR}/include/${folder}/*.h")
+  list(REMOVE_ITEM others ${internalHeaderNames})
+  if(NOT others)
+    list(APPEND internalHeaders PATTERN "${folder}" EXCLUDE) # An empty folder would stay when all is uninstalled.
+  endif()
+endforeach()
 if(NOT VOXC_OPENVDB)
   list(APPEND internalHeaders PATTERN "OpenVdb" EXCLUDE)
 endif()

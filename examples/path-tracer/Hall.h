@@ -1,7 +1,7 @@
 // The scene: a hall of columns under an open roof, with a sponge that has a lamp in it, over a pool.
 #pragma once
 
-#include <voxc/Support/Geometry.h>
+#include <voxc/Source/VoxelSource.h>
 
 #include <cstdint>
 

@@ -5,7 +5,6 @@
 
 #include <voxc/Construct/Constructor.h>
 #include <voxc/Source/Sources.h>
-#include <voxc/Support/File.h>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -18,6 +17,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -46,10 +47,9 @@ Frame makeFrame(std::uint32_t width, std::uint32_t height) {
 }
 
 voxc::Expected<voxc::Volume> buildHall() {
-  const auto text = voxc::readTextFile(HALL_FORMAT);
-  if (!text)
-    return text.error();
-  const auto format = voxc::parseFormat(*text);
+  std::ifstream file(HALL_FORMAT);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const auto format = voxc::parseFormat(text);
   if (!format)
     return format.error();
   const auto constructor = voxc::Constructor::compile(*format);
