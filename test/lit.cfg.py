@@ -62,14 +62,17 @@ if os.path.exists(lavapipe):
 if platform.machine() == "x86_64":
     config.available_features.add("x86-64")
 # The Python that has a module need not be the one that runs lit.
-for module, feature, name in [("numpy", "numpy", "%numpython"), ("matplotlib, PIL", "matplotlib", "%plotpython")]:
+for module, feature, name in [("numpy", "numpy", "%numpython"), ("matplotlib, PIL", "matplotlib", "%plotpython"),
+                              ("pyopenvdb", "pyopenvdb", "%vdbpython")]:
     for python in [sys.executable, "/usr/bin/python3"]:
         if subprocess.run([python, "-c", "import " + module], capture_output=True).returncode == 0:
             config.available_features.add(feature)
             config.substitutions.insert(0, (name, python))
             break
+# Blender looks for its Python, which is the system's, beside whatever python3 it finds first.
+config.substitutions.append(("%blender", "env PATH=/usr/bin:/bin blender"))
 # Programs that some tests need, and that a machine may lack.
-for program in ["readelf", "zsh", "fish", "mypy"]:
+for program in ["readelf", "zsh", "fish", "mypy", "blender"]:
     if shutil.which(program):
         config.available_features.add(program)
 config.available_features.update(name for name, is_built in config.components.items() if is_built)
