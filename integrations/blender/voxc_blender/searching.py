@@ -63,7 +63,7 @@ def measured(rows):
     for row in rows:
         if row["status"] != "measured" or row["frontier"] != "on":
             continue
-        passes = row["passes"].replace(",", " ")
+        passes = row["passes"].replace(",", "")
         found = made.setdefault((row["format"], passes), dict(format=row["format"], passes=passes, bytes=row["bytes"], rays=float("inf"), chosen=False))
         found["rays"] = min(found["rays"], 1e6 * row["mrays_per_s"])
         found["chosen"] |= "balanced" in row["verdict"]

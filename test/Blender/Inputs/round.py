@@ -29,10 +29,13 @@ def cells(volume):
 
 
 def coloured_object():
-    """A box, off the origin, turned, taller than wide, with a modifier and faces of three colours, one of them by a colour attribute's corners."""
+    """A box, off the origin, turned, taller than wide, with a modifier, faces of three colours, and a parent that is not selected."""
     bpy.ops.mesh.primitive_cube_add(size=2)
     box = bpy.context.object
     box.location, box.scale, box.rotation_euler = (3, -2, 5), (1, 2, 4), (0, 0, 0.3)
+    box.parent = bpy.data.objects.new("parent", None)
+    box.parent.location, box.parent.scale = (1, 20, -3), (2, 2, 2)
+    bpy.context.collection.objects.link(box.parent)
     array = box.modifiers.new("two", "ARRAY")
     array.relative_offset_displace = (1.5, 0, 0)
     for index, colour in enumerate([(1, 0, 0, 1), (0, 1, 0, 1), (0.1, 0.2, 1, 1)]):
