@@ -21,6 +21,7 @@ arguments() {
   case $1 in
   path-tracer) echo picture.png 64 36 4 ;;
   host-device) echo picture.png 64 36 ;;
+  engine) echo --help ;; # No device of Debian 12's has its pipelines: scripts/engine-chroot.sh.
   esac
 }
 
