@@ -30,11 +30,11 @@ Expected<void> checkFrames(const Volume &volume) {
   return {};
 }
 
-Expected<Frame> findFrame(std::span<const Frame> frames, int number) {
-  if (number >= 1 && static_cast<std::size_t>(number) <= frames.size())
-    return frames[static_cast<std::size_t>(number) - 1];
+Expected<void> checkFrameNumber(int number, std::uint64_t frames) {
+  if (number >= 1 && static_cast<std::uint64_t>(number) <= frames)
+    return {};
   return Error::input("it has no frame " + std::to_string(number) + "; there " +
-                      (frames.size() < 2 ? std::string("is one") : "are " + std::to_string(frames.size())));
+                      (frames < 2 ? std::string("is one") : "are " + std::to_string(frames)));
 }
 
 namespace {

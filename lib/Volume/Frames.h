@@ -8,8 +8,7 @@ namespace voxc {
 /// Error (`Input`): the stream of frames is not what it has to be. Where roots lead is for `checkStructure`.
 Expected<void> checkFrames(const Volume &volume);
 
-/// Of no frames, which is one, there is none to choose. Error (`Input`): there is no frame of this number,
-/// from 1 on; "it has no frame 7; there are 3".
-Expected<Frame> findFrame(std::span<const Frame> frames, int number);
+/// Error (`Input`): of `frames` there is none of this number, from 1 on; "it has no frame 7; there are 3".
+Expected<void> checkFrameNumber(int number, std::uint64_t frames);
 
 } // namespace voxc

@@ -126,25 +126,24 @@ Expected<void> PagedVolume::decode(std::size_t stream, std::uint64_t page, std::
   return {};
 }
 
+/// Decodes the one page that the frame lies in.
 Expected<void> PagedVolume::chooseFrame(int number) {
   const auto stream = std::ranges::find(streams(), kFrameStream, &PagedStream::name);
-  std::vector<Frame> frames;
-  if (stream != streams().end() && stream->elementBytes == sizeof(Frame)) {
-    frames.resize(stream->bytes / sizeof(Frame));
-    const auto bytes = std::as_writable_bytes(std::span(frames));
-    for (std::uint64_t page = 0; page < stream->pages(); ++page) {
-      const auto room = bytes.subspan(page * stream->pageBytes, stream->bytesOf(page));
-      if (auto read = decode(std::size_t(stream - streams().begin()), page, room); !read)
-        return read;
-    }
-  }
-  if (frames.empty() && number == 1)
+  const bool hasFrames =
+      stream != streams().end() && stream->elementBytes == sizeof(Frame) && stream->bytes > 0;
+  if (!hasFrames && number == 1)
     return {};
-  const auto frame = findFrame(frames, number);
-  if (!frame)
-    return Error::input("'" + state_->name + "': " + frame.error().message);
-  state_->frame = *frame;
-  state_->info.voxels = frame->voxels;
+  if (auto checked = checkFrameNumber(number, hasFrames ? stream->bytes / sizeof(Frame) : 0); !checked)
+    return Error::input("'" + state_->name + "': " + checked.error().message);
+  const std::uint64_t place = (static_cast<std::uint64_t>(number) - 1) * sizeof(Frame);
+  const std::uint64_t page = place / stream->pageBytes; // Pages are whole frames: powers of two.
+  std::vector<std::byte> room(stream->bytesOf(page));
+  if (auto read = decode(static_cast<std::size_t>(stream - streams().begin()), page, room); !read)
+    return read;
+  Frame frame;
+  std::memcpy(&frame, room.data() + place % stream->pageBytes, sizeof frame);
+  state_->frame = frame;
+  state_->info.voxels = frame.voxels;
   return {};
 }
 

@@ -63,15 +63,16 @@ void Volume::allowCubes(std::uint64_t most) { state_->mostCubes = most; }
 
 /// The words are those of all frames, of which this one is at the head.
 Expected<void> Volume::chooseFrame(int number) {
-  if (framesOf(*this).empty() && number == 1)
+  const std::span<const Frame> frames = framesOf(*this);
+  if (frames.empty() && number == 1)
     return {};
-  const auto frame = findFrame(framesOf(*this), number);
-  if (!frame)
-    return frame.error();
-  const std::span<const std::uint32_t> root(&frame->root, 1);
+  if (auto checked = checkFrameNumber(number, frames.size()); !checked)
+    return checked;
+  const Frame frame = frames[static_cast<std::size_t>(number) - 1];
+  const std::span<const std::uint32_t> root(&frame.root, 1);
   if (auto written = writeOver(std::as_bytes(words().first(1)), std::as_bytes(root)); !written)
     return written;
-  state_->info.voxels = frame->voxels;
+  state_->info.voxels = frame.voxels;
   state_->info.wordCounts.reset();
   std::erase_if(state_->streams, [](const Stream &stream) { return stream.name == kFrameStream; });
   return {};

@@ -6,7 +6,7 @@ from .module import reporting, voxc
 
 
 class Row(bpy.types.PropertyGroup):
-    """A format, and what is foretold or was measured of it."""
+    """A format, and what is predicted or was measured of it."""
     format: bpy.props.StringProperty()
     passes: bpy.props.StringProperty()
     bytes: bpy.props.FloatProperty(description="Bytes of the volume")
@@ -34,7 +34,7 @@ class SearchFormat(bpy.types.Operator):
             if scene.voxc_chosen.budget:
                 rows = measured(voxc().search(model, budget=scene.voxc_chosen.budget, **options))
             else:
-                rows = foretold(voxc().suggest(model, **options))
+                rows = predicted(voxc().suggest(model, **options))
             scene.voxc_rows.clear()
             for found in sorted(rows, key=lambda row: row["bytes"]):
                 row = scene.voxc_rows.add()
@@ -44,7 +44,7 @@ class SearchFormat(bpy.types.Operator):
         return self.result
 
 
-def foretold(rows):
+def predicted(rows):
     """The rows that no other beats, and the one that is named."""
     return [dict(format=row["format"], passes=row["passes"], bytes=row["bytes"], rays=row["camera_rays_per_second"], chosen=row["chosen"])
             for row in rows if row["frontier"] or row["chosen"]]
