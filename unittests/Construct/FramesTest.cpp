@@ -171,6 +171,24 @@ TEST_F(Frames, OfPagesAreInTheFirst) {
   EXPECT_EQ(pages->info().voxels, second->info().voxels);
 }
 
+TEST_F(Frames, OfLaterPagesAreFound) {
+  const std::vector<Scene> scenes = {ball({9, 9, 9}, 6, 0xff00ff00), kNothing,
+                                     ball({9, 9, 9}, 3, 0xff00ff00)};
+  std::vector<Scene> played;
+  for (std::size_t i = 0; i < 300; ++i) // 4,800 bytes: two pages.
+    played.push_back(scenes[i % scenes.size()]);
+  const auto frames = build(*parseFormat("G(5)"), {32, 32, 32}, played);
+  ASSERT_TRUE(frames) << frames.error().message;
+  ASSERT_TRUE(frames->volume.save(pathOf("many.hvx"), {.compress = true, .pageBytes = 4096}));
+  auto pages = PagedVolume::open(pathOf("many.hvx"));
+  ASSERT_TRUE(pages) << pages.error().message;
+  for (const int number : {1, 2, 256, 257, 300}) {
+    ASSERT_TRUE(pages->chooseFrame(number));
+    EXPECT_EQ(pages->info().voxels, framesOf(frames->volume)[std::size_t(number) - 1].voxels) << number;
+  }
+  EXPECT_FALSE(pages->chooseFrame(301));
+}
+
 TEST_F(Frames, ThatAFileClaimsAreProved) {
   const Format format = *parseFormat("G(4)");
   const auto frames = build(format, {16, 16, 16}, {ball({5, 5, 5}, 4, 0xff0000ff), kNothing});
