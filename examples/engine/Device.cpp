@@ -113,7 +113,21 @@ void Device::open() {
   check(vkCreateDevice(physical_, &info, nullptr, &device_), "vkCreateDevice");
 }
 
-Buffer Device::makeBuffer(VkDeviceSize bytes, VkBufferUsageFlags alsoFor) {
+std::uint32_t Device::memoryType(std::uint32_t allowed, Reader reader) const {
+  VkPhysicalDeviceMemoryProperties memory;
+  vkGetPhysicalDeviceMemoryProperties(physical_, &memory);
+  constexpr VkMemoryPropertyFlags kShared =
+      VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+  const VkMemoryPropertyFlags near =
+      reader == Reader::Device ? VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT : VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
+  for (const VkMemoryPropertyFlags wanted : {kShared | near, kShared})
+    for (std::uint32_t type = 0; type < memory.memoryTypeCount; ++type)
+      if ((memory.memoryTypes[type].propertyFlags & wanted) == wanted && (allowed >> type & 1))
+        return type;
+  fail("the device has no memory that both sides see");
+}
+
+Buffer Device::makeBuffer(VkDeviceSize bytes, VkBufferUsageFlags alsoFor, Reader reader) {
   Buffer made{};
   const VkBufferCreateInfo info{.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO,
                                 .size = bytes,
@@ -122,19 +136,12 @@ Buffer Device::makeBuffer(VkDeviceSize bytes, VkBufferUsageFlags alsoFor) {
   check(vkCreateBuffer(device_, &info, nullptr, &made.buffer), "vkCreateBuffer");
   VkMemoryRequirements needs;
   vkGetBufferMemoryRequirements(device_, made.buffer, &needs);
-  VkPhysicalDeviceMemoryProperties memory;
-  vkGetPhysicalDeviceMemoryProperties(physical_, &memory);
-  constexpr VkMemoryPropertyFlags kShared =
-      VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
-  std::uint32_t type = 0; // Every device has one that both sides see.
-  while ((memory.memoryTypes[type].propertyFlags & kShared) != kShared || !(needs.memoryTypeBits >> type & 1))
-    ++type;
   const VkMemoryAllocateFlagsInfo flags{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO,
                                         .flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT};
   const VkMemoryAllocateInfo allocation{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO,
                                         .pNext = &flags,
                                         .allocationSize = needs.size,
-                                        .memoryTypeIndex = type};
+                                        .memoryTypeIndex = memoryType(needs.memoryTypeBits, reader)};
   check(vkAllocateMemory(device_, &allocation, nullptr, &made.memory), "vkAllocateMemory");
   check(vkBindBufferMemory(device_, made.buffer, made.memory, 0), "vkBindBufferMemory");
   check(vkMapMemory(device_, made.memory, 0, VK_WHOLE_SIZE, 0, &made.mapped), "vkMapMemory");

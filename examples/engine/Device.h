@@ -35,8 +35,10 @@ public:
     return reinterpret_cast<Function>(vkGetDeviceProcAddr(device_, name));
   }
 
+  /// Which side mostly reads a buffer, and so has it near.
+  enum class Reader { Device, Host };
   /// Lives as long as the device. All can be stored to by shaders, and have an address.
-  Buffer makeBuffer(VkDeviceSize bytes, VkBufferUsageFlags alsoFor = 0);
+  Buffer makeBuffer(VkDeviceSize bytes, VkBufferUsageFlags alsoFor = 0, Reader reader = Reader::Device);
 
   /// Records one command buffer, submits it, and waits until all is done.
   void run(const std::function<void(VkCommandBuffer)> &record);
@@ -44,6 +46,7 @@ public:
 private:
   void pick();
   void open();
+  std::uint32_t memoryType(std::uint32_t allowed, Reader reader) const;
 
   VkInstance instance_ = VK_NULL_HANDLE;
   VkPhysicalDevice physical_ = VK_NULL_HANDLE;

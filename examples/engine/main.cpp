@@ -14,6 +14,7 @@
 #include <png.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -131,10 +132,12 @@ void drawFrames(Device &device, Pipeline &pipeline, Scene &scene, std::span<Chun
   do {
     before = loaded;
     std::memset(wanted.mapped, 0, chunks.size() * sizeof(std::uint32_t));
+    const auto begin = std::chrono::steady_clock::now();
     device.run([&](VkCommandBuffer commands) {
       scene.build(commands);
       pipeline.trace(commands, rays);
     });
+    const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - begin;
     for (std::uint32_t i = 0; i < chunks.size(); ++i) {
       if (static_cast<const std::uint32_t *>(wanted.mapped)[i] == 0 || chunks[i].isLoaded)
         continue;
@@ -143,7 +146,7 @@ void drawFrames(Device &device, Pipeline &pipeline, Scene &scene, std::span<Chun
       chunks[i].isLoaded = true;
       ++loaded;
     }
-    std::printf("frame %d: rays asked for %zu chunks\n", ++frame, loaded - before);
+    std::printf("frame %d: %.2f ms, rays asked for %zu chunks\n", ++frame, passed.count(), loaded - before);
   } while (loaded > before);
   std::printf("%zu of %zu chunks loaded\n", loaded, chunks.size());
 }
@@ -173,8 +176,8 @@ int main(int count, char **arguments) {
   pipeline.setRecord(kMissingRecord, Group::Missing);
   const std::vector<voxc::Ray> rays = makeRays(width, height);
   const Buffer asked = device.makeBuffer(rays.size() * sizeof(voxc::Ray));
-  const Buffer answered = device.makeBuffer(rays.size() * sizeof(Answer));
-  const Buffer wanted = device.makeBuffer(chunks.size() * sizeof(std::uint32_t));
+  const Buffer answered = device.makeBuffer(rays.size() * sizeof(Answer), 0, Device::Reader::Host);
+  const Buffer wanted = device.makeBuffer(chunks.size() * sizeof(std::uint32_t), 0, Device::Reader::Host);
   std::memcpy(asked.mapped, rays.data(), rays.size() * sizeof(voxc::Ray));
   pipeline.bind(scene.structure(), asked, answered, wanted);
   drawFrames(device, pipeline, scene, chunks, wanted, static_cast<std::uint32_t>(rays.size()));

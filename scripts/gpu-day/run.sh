@@ -5,7 +5,7 @@
 # `voxc bench report` reads, and table.md.
 set -u
 pack=$(cd "$(dirname "$0")" && pwd)
-mkdir -p "$1/cells" "$1/lattice" "$1/volumes" "$1/lib"
+mkdir -p "$1/cells" "$1/lattice" "$1/volumes" "$1/lib" "$1/texts"
 out=$(cd "$1" && pwd)
 seconds=${2:-480} device=${3:-}
 start=$(date +%s)
@@ -62,8 +62,8 @@ for volume in "$pack"/lattice/*.hvx; do
     --count "${GPU_DAY_RAYS:-750000000}" --seconds "${GPU_DAY_RAY_SECONDS:-5}"
 done
 
-while read -r name; do
-  scene=$pack/scenes/$name.hvx
+while IFS="$tab" read -r name of; do
+  scene=$pack/scenes/$name.hvx formats=$pack/formats/$of.txt
   # Volumes, as many at a time as there are processors; rays with the oracle's hits meanwhile.
   running=0
   while IFS="$tab" read -r format_name format passes; do
@@ -73,7 +73,7 @@ while read -r name; do
     "$pack/bin/voxc" build "$format" "$scene" $passes --threads 1 -o "$volume" --quiet </dev/null &
     running=$((running + 1))
     if [ $((running % jobs)) -eq 0 ]; then wait; fi
-  done <"$pack/formats.txt"
+  done <"$formats"
   rm -f "$out/cells/$name.rays.failed"
   if ! is_over && ! "$gpu_day" rays "$scene" "$pack/cameras.json" --scene "$name" --size "${GPU_DAY_SIZE:-3840x2160}" \
     -o "$out/rays/$name" 2>"$out/rays.error"; then
@@ -92,12 +92,12 @@ while read -r name; do
   say "volumes and rays of $name"
   while IFS="$tab" read -r format_name format passes; do
     kernels=''
-    for kernel in "$pack/kernels/$format_name".*.spv; do kernels="$kernels --kernel $kernel"; done
+    for kernel in "$pack/kernels/$of/$format_name".*.spv; do kernels="$kernels --kernel $kernel"; done
     # shellcheck disable=SC2086 # Kernels are words.
     cell cells "$name.$format_name" "$gpu_day" measure --rays "$out/rays/$name" --scene "$name" --label "$format $passes" \
       --device "$device" --seconds 0.05 --volume "$out/volumes/$name.$format_name.hvx" $kernels </dev/null
-  done <"$pack/formats.txt"
-  first=$(head -n 1 "$pack/scenes.txt")
+  done <"$formats"
+  first=$(head -n 1 "$pack/scenes.txt" | cut -f 1)
   if [ "$name" != "$first" ]; then continue; fi # What follows tells of programs more than of scenes.
   for code in octants.clang dag.clang octants.nvcc dag.nvcc; do
     format_name=${code%.*} compiler=${code#*.} codes=$pack/cuda
@@ -123,9 +123,55 @@ while read -r name; do
         --device "$device" --seconds 0.05 --peer "$pack/peers/$peer.spv" --nodes "$out/peers/${peer%_stack}.bin"
     done
   fi
+  if [ -e "$pack/cuda/nanovdb.ptx" ]; then
+    if [ ! -e "$out/nanovdb/grid.bin" ] && ! is_over; then
+      mkdir -p "$out/nanovdb"
+      "$pack/bin/voxc" export "$scene" -o "$out/nanovdb/scene.nvdb" --quiet &&
+        "$pack/bin/nanovdb-grid" "$out/nanovdb/scene.nvdb" "$out/nanovdb/grid.bin"
+    fi
+    cell cells "$name.hand-nanovdb" "$gpu_day" measure --rays "$out/rays/$name" --scene "$name" --label "NanoVDB" \
+      --device "$device" --seconds 0.05 --cuda "$pack/cuda/nanovdb.ptx" --nodes "$out/nanovdb/grid.bin"
+  fi
+  # From farther and farther away.
+  if ! is_over; then "$gpu_day" distances "$scene" --side "${GPU_DAY_SIDE:-1024}" -o "$out/rays/$name-distances"; fi
+  for format_name in octants octants-small dag grid-dag; do
+    cell cells "$name.$format_name-distances" "$gpu_day" measure --rays "$out/rays/$name-distances" \
+      --scene "$name, distances" --label "$format_name" --device "$device" --seconds 0.02 \
+      --volume "$out/volumes/$name.$format_name.hvx" --kernel "$pack/kernels/$of/$format_name.exact.spv" \
+      --kernel "$pack/kernels/$of/$format_name.fast.spv"
+  done
+  if [ -e "$out/peers/aadf.bin" ]; then
+    cell cells "$name.hand-aadf-distances" "$gpu_day" measure --rays "$out/rays/$name-distances" --scene "$name, distances" \
+      --label "by hand: aadf" --device "$device" --seconds 0.02 --peer "$pack/peers/aadf.spv" --nodes "$out/peers/aadf.bin"
+  fi
+  # A part of the volume in memory: hits are those of all of it, or the difference is told.
+  rays=$(find "$out/rays/$name" -name '*-tiles.rays' | sort | head -n 1) paged=$out/volumes/$name.paged.hvx
+  if [ ! -e "$paged" ] && ! is_over; then
+    "$pack/bin/voxc" build 'G(10)' "$scene" --whole-level-dedup --compress -o "$paged" --quiet
+  fi
+  for budget in 8MiB 12MiB 16MiB 24MiB; do
+    text=$out/texts/pages-$budget
+    if [ -e "$text.json" ] || is_over; then continue; fi
+    "$pack/bin/voxc" trace "$paged" --rays "$rays" -o "$out/paged.hits" --device "${device:-0}" \
+      --device-memory $budget --repeat 3 --stats "$text.json" --quiet 2>"$text.error" &&
+      { cmp "$out/paged.hits" "${rays%.rays}.hits" >"$text.difference" 2>&1 || cat "$text.difference"; }
+    say "pages in $budget"
+  done
+  # Edits, which a tracer on the device follows.
+  for format_name in octants dag; do
+    cell cells "$name.$format_name-edits" "$gpu_day" measure --rays "$out/rays/$name" --scene "$name, edits" --label "$format_name" \
+      --device "$device" --seconds 0.01 --set bounce --follow --volume "$out/volumes/$name.$format_name.hvx" \
+      --kernel "$pack/kernels/$of/$format_name.exact.spv"
+  done
+  # A ray-tracing pipeline.
+  if [ -e "$pack/bin/engine" ] && [ ! -e "$out/texts/engine.txt" ] && ! is_over; then
+    "$pack/bin/engine" "$pack/chunks" "$out/engine" "${GPU_DAY_COLUMNS:-3840}" "${GPU_DAY_ROWS:-2160}" >"$out/texts/engine.txt" 2>&1
+    "$pack/bin/voxc" trace "$pack/chunks/whole.hvx" --rays "$out/engine.rays" -o "$out/whole.hits" --device cpu --quiet
+    say 'the ray-tracing pipeline'
+  fi
   cell cells "$name.octants-groups" "$gpu_day" measure --rays "$out/rays/$name" --scene "$name, sizes of groups" \
     --label octants --device "$device" --seconds 0.05 --set bounce --set shadow --volume "$out/volumes/$name.octants.hvx" \
-    --kernel "$pack/kernels/octants.exact.spv" --group 32 --group 128 --group 256 --at-once
+    --kernel "$pack/kernels/$of/octants.exact.spv" --group 32 --group 128 --group 256 --at-once
 done <"$pack/scenes.txt"
 "$gpu_day" table "$out" -o "$out" && cat "$out/table.md"
 if is_over; then say 'run it again to go on'; fi

@@ -2,6 +2,7 @@
 #include "Commands.h"
 
 #include "CudaSubject.h"
+#include "FollowSubject.h"
 #include "KernelSubject.h"
 #include "Mapped.h"
 #include "PeerSubject.h"
@@ -57,6 +58,11 @@ Expected<void> makeRays(const Options &options) {
                                               of->fov, width, height)});
   }
   return makeRaySets(*volume, cameras, options.output);
+}
+
+Expected<void> makeDistances(const Options &options) {
+  const auto volume = Volume::load(options.volume, {.trusted = true});
+  return volume ? makeDistanceSets(*volume, options.side, options.output) : volume.error();
 }
 
 namespace {
@@ -140,27 +146,39 @@ Expected<Json> measureVolume(const Gpu &gpu, const Options &options, std::span<c
     if (!kernel)
       return kernel.error();
     keep(path, subject->measure(*kernel, sets));
+    if (auto following = options.follows ? measureFollowing(options.device, *kernel, *volume) : Json())
+      kernels[kindOf(path)]["follow_us"] = std::move(*following);
+    else
+      return following.error();
   }
   for (const std::string &path : options.cudas) {
     const auto code = readTextFile(path);
     if (!code)
       return code.error();
-    keep(path, measureCuda(*code, *volume, sets, options.seconds));
+    keep(path, measureCuda(*code, volume->words(), sets, options.seconds));
   }
   return kernels;
 }
 
-Expected<Json> measureByHand(const Gpu &gpu, const Options &options, std::span<const RaysThere> sets) {
-  const auto spirv = MappedBytes::open(options.peer);
-  if (!spirv)
-    return spirv.error();
+Expected<Json> measureByHand(const Gpu &gpu, const Options &options, std::span<const RaysThere> sets,
+                             Json &figures) {
   const auto nodes = MappedBytes::open(options.nodes);
   if (!nodes)
     return nodes.error();
-  auto rows = measurePeer(gpu, spirv->as<std::uint32_t>(), nodes->as<std::uint32_t>(), sets, options.seconds);
-  if (!rows)
-    return rows.error();
-  return Json{{"by hand", std::move(*rows)}};
+  const auto words = nodes->as<std::uint32_t>();
+  if (!options.cudas.empty()) {
+    figures["bytes"] = words.size_bytes();
+    const auto code = readTextFile(options.cudas.front());
+    if (!code)
+      return code.error();
+    auto rows = measureCuda(*code, words, sets, options.seconds);
+    return rows ? Expected<Json>(Json{{"cuda", std::move(*rows)}}) : rows.error();
+  }
+  const auto spirv = MappedBytes::open(options.peer);
+  if (!spirv)
+    return spirv.error();
+  auto rows = measurePeer(gpu, spirv->as<std::uint32_t>(), words, sets, options.seconds);
+  return rows ? Expected<Json>(Json{{"by hand", std::move(*rows)}}) : rows.error();
 }
 
 } // namespace
@@ -173,8 +191,8 @@ Expected<void> measure(const Options &options) {
   if (!brought)
     return brought.error();
   Json figures{{"scene", options.scene}, {"label", options.label}, {"device", deviceJson(gpu->facts())}};
-  auto kernels = options.peer.empty() ? measureVolume(*gpu, options, brought->sets, figures)
-                                      : measureByHand(*gpu, options, brought->sets);
+  auto kernels = options.nodes.empty() ? measureVolume(*gpu, options, brought->sets, figures)
+                                       : measureByHand(*gpu, options, brought->sets, figures);
   if (!kernels)
     return kernels.error();
   figures["kernels"] = std::move(*kernels);

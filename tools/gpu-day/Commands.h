@@ -17,8 +17,9 @@ struct Options {
   std::vector<std::uint32_t> groups;
   std::string peer, nodes;
   std::string size = "3840x2160";
+  int side = 1024; ///< Pixels of a picture from a distance.
   double seconds = 0.1;
-  bool atOnce = false;
+  bool atOnce = false, follows = false;
   LatticeOptions lattice;
   std::string programs;
 };
@@ -26,6 +27,9 @@ struct Options {
 /// Makes the rays of a scene, and the oracle's hits (RaySets.h). Errors: of reading, and of the options
 /// (`Usage`).
 Expected<void> makeRays(const Options &options);
+
+/// Makes the rays of a camera from farther and farther away. Errors: of reading.
+Expected<void> makeDistances(const Options &options);
 
 /// Measures a volume with its kernels, or a tracer by hand, on all sets of a folder. Errors: of reading, and
 /// of the device; a kernel that fails is told of in the figures.

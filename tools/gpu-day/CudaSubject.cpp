@@ -156,7 +156,7 @@ tool::Json traceSet(Cuda &cuda, Handle function, DevicePointer words, const Rays
 
 } // namespace
 
-Expected<tool::Json> measureCuda(const std::string &code, const Volume &volume,
+Expected<tool::Json> measureCuda(const std::string &code, std::span<const std::uint32_t> words,
                                  std::span<const RaysThere> sets, double seconds) {
   Cuda cuda;
   Handle module = nullptr, function = nullptr;
@@ -165,10 +165,10 @@ Expected<tool::Json> measureCuda(const std::string &code, const Volume &volume,
   int registers = 0, localBytes = 0;
   cuda.call(cuda.driver().cuFuncGetAttribute, &registers, kRegisters, function);
   cuda.call(cuda.driver().cuFuncGetAttribute, &localBytes, kLocalBytes, function);
-  const DevicePointer words = cuda.bring(std::as_bytes(volume.words()), volume.words().size_bytes());
+  const DevicePointer there = cuda.bring(std::as_bytes(words), words.size_bytes());
   tool::Json rows = tool::Json::array();
   for (const RaysThere &set : sets)
-    rows.push_back(traceSet(cuda, function, words, set, seconds));
+    rows.push_back(traceSet(cuda, function, there, set, seconds));
   if (!cuda.failure().empty())
     return Error::environment(cuda.failure());
   const tool::Json program{{"Register Count", registers}, {"Local Bytes", localBytes}};

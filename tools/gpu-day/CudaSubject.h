@@ -3,14 +3,12 @@
 
 #include "Subject.h"
 
-#include "voxc/Volume/Volume.h"
-
 namespace voxc::gpu {
 
-/// Traces all sets by the function `trace` of a PTX text or of a cubin (trace.cu): rows as of a kernel of
-/// Vulkan, timed by events. Errors: `Environment`, where there is no driver, or it refuses the code; what
-/// CUDA says.
-Expected<tool::Json> measureCuda(const std::string &code, const Volume &volume,
+/// Traces all sets by the function `trace` of a PTX text or of a cubin (trace.cu, nanovdb.cu) through these
+/// words: rows as of a kernel of Vulkan, timed by events. Errors: `Environment`, where there is no driver, or
+/// it refuses the code; what CUDA says.
+Expected<tool::Json> measureCuda(const std::string &code, std::span<const std::uint32_t> words,
                                  std::span<const RaysThere> sets, double seconds);
 
 } // namespace voxc::gpu

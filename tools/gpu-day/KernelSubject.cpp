@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace voxc::gpu {
 namespace {
@@ -15,6 +16,13 @@ constexpr std::uint32_t kExactFallback = 3, kComesNear = 6, kGroup = 7;
 constexpr std::uint32_t kAll = 0, kDeferred = 1;
 
 constexpr std::uint64_t kListHead = 4; // Words before the numbers of rays in the list.
+
+/// Whether rays of a set begin so far away that a kernel has to move them near (shaders-runtime/near.glsl):
+/// those of a camera all do, or none.
+bool beginsFar(const RaysThere &set, Int3 extent) {
+  const float far = 2 * static_cast<float>(std::max({extent.x, extent.y, extent.z}));
+  return std::ranges::any_of(set.rays.first(1).front().origin, [&](float at) { return std::abs(at) > far; });
+}
 
 Expected<Program> makeVariant(const Gpu &gpu, const Kernel &kernel, bool exactFallback, std::uint32_t group,
                               bool anywhere) {
@@ -115,6 +123,16 @@ Expected<tool::Json> KernelSubject::trace(const Way &way, const RaysThere &set, 
                     {"error", difference.toJson()}};
 }
 
+Expected<void> KernelSubject::keepRows(const Way &way, const RaysThere &set, tool::Json &rows) const {
+  for (int atOnce = 0; atOnce <= int(options_.atOnce); ++atOnce) {
+    auto row = trace(way, set, atOnce != 0);
+    if (!row)
+      return row.error();
+    rows.push_back(std::move(*row));
+  }
+  return {};
+}
+
 Expected<tool::Json> KernelSubject::measure(const Kernel &kernel, std::span<const RaysThere> sets) const {
   std::uint64_t mostRays = 0;
   for (const RaysThere &set : sets)
@@ -123,18 +141,24 @@ Expected<tool::Json> KernelSubject::measure(const Kernel &kernel, std::span<cons
   std::vector<std::uint32_t> groups = options_.groups;
   groups.insert(groups.begin(), kWorkgroupSize);
   for (const std::uint32_t group : groups) {
-    const auto way = makeWay(kernel, group, mostRays, false);
-    if (!way)
-      return way.error();
-    programs.push_back(
-        {{"group", group}, {"defers", figuresJson(way->defers)}, {"resolves", figuresJson(way->resolves)}});
-    for (const RaysThere &set : sets)
-      for (int atOnce = 0; atOnce <= int(options_.atOnce); ++atOnce) {
-        auto row = trace(*way, set, atOnce != 0);
-        if (!row)
-          return row.error();
-        rows.push_back(std::move(*row));
-      }
+    for (const bool far : {false, true}) {
+      std::vector<const RaysThere *> traced;
+      for (const RaysThere &set : sets)
+        if (beginsFar(set, volume_->info().extent) == far)
+          traced.push_back(&set);
+      if (traced.empty())
+        continue;
+      const auto way = makeWay(kernel, group, mostRays, far);
+      if (!way)
+        return way.error();
+      programs.push_back({{"group", group},
+                          {"far", far},
+                          {"defers", figuresJson(way->defers)},
+                          {"resolves", figuresJson(way->resolves)}});
+      for (const RaysThere *const set : traced)
+        if (auto kept = keepRows(*way, *set, rows); !kept)
+          return kept.error();
+    }
   }
   return tool::Json{{"programs", programs}, {"rows", rows}};
 }

@@ -20,8 +20,8 @@ public:
   /// Brings the words there. Error: `Environment`, as where they do not fit.
   static Expected<KernelSubject> make(const Gpu &gpu, const Volume &volume, const MeasureOptions &options);
 
-  /// Traces all sets by a kernel of the volume, none of whose rays begins far away; a row of JSON for each
-  /// set and way of tracing. Errors: the kernel is none of the volume's (`Input`); those of the device.
+  /// Traces all sets by a kernel of the volume, none of them empty; a row of JSON for each set and way of
+  /// tracing. Errors: the kernel is none of the volume's (`Input`); those of the device.
   Expected<tool::Json> measure(const Kernel &kernel, std::span<const RaysThere> sets) const;
 
   /// A kernel that is ready, with workgroups of a size.
@@ -44,6 +44,7 @@ private:
   KernelSubject(const Gpu &gpu, const Volume &volume, const MeasureOptions &options, GpuBuffer words)
       : gpu_(&gpu), volume_(&volume), options_(options), words_(std::move(words)) {}
   Expected<tool::Json> trace(const Way &way, const RaysThere &set, bool atOnce) const;
+  Expected<void> keepRows(const Way &way, const RaysThere &set, tool::Json &rows) const;
 
   const Gpu *gpu_;
   const Volume *volume_;

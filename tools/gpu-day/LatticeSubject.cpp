@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace voxc::gpu {
 namespace {
@@ -33,6 +34,12 @@ struct Verdict {
   std::uint32_t hits = 0, wrong = 0, example = 0, unused = 0;
 };
 
+/// What a batch has found, and the device's seconds for it: for finding the exact hits, and for the kernel.
+struct Batch {
+  Verdict verdict;
+  double exactSeconds = 0, kernelSeconds = 0;
+};
+
 /// One ray that the kernel gets wrong.
 Expected<tool::Json> exampleOf(const Gpu &gpu, std::uint32_t number, const GpuBuffer &rays,
                                const GpuBuffer &exact, const GpuBuffer &hits) {
@@ -56,7 +63,7 @@ public:
                               const LatticePrograms &programs, int edge);
 
   /// Draws a batch, traces it and compares.
-  Expected<Verdict> batch(std::uint64_t number, std::uint32_t seed) const;
+  Expected<Batch> batch(std::uint64_t number, std::uint32_t seed) const;
   Expected<tool::Json> example(const Verdict &verdict) const {
     return exampleOf(*gpu_, verdict.example, rays_, exact_, hits_);
   }
@@ -119,7 +126,7 @@ Expected<void> Check::makeBuffers(std::span<const std::uint32_t> words) {
   return gpu_->upload(cells_, std::as_bytes(words));
 }
 
-Expected<Verdict> Check::batch(std::uint64_t number, std::uint32_t seed) const {
+Expected<Batch> Check::batch(std::uint64_t number, std::uint32_t seed) const {
   constexpr auto kCount = static_cast<std::uint32_t>(kBatchRays);
   constexpr std::uint32_t kGroups = kCount / kGroup;
   const std::uint64_t first = number * kBatchRays;
@@ -133,12 +140,14 @@ Expected<Verdict> Check::batch(std::uint64_t number, std::uint32_t seed) const {
   for (GpuStep &step : way_.stepsOf(kBatchRays, gpu_->facts().mostGroups, false))
     steps.push_back(std::move(step));
   steps.push_back({.program = &compare_, .words = {kCount}, .groupsX = kGroups});
-  if (auto run = gpu_->run(steps); !run)
+  const auto run = gpu_->run(steps);
+  if (!run)
     return run.error();
-  Verdict verdict;
-  if (auto read = gpu_->download(verdict_, std::as_writable_bytes(std::span(&verdict, 1))); !read)
+  Batch batch{.exactSeconds = (*run)[1],
+              .kernelSeconds = std::accumulate(run->begin() + 2, run->end() - 1, 0.0)};
+  if (auto read = gpu_->download(verdict_, std::as_writable_bytes(std::span(&batch.verdict, 1))); !read)
     return read.error();
-  return verdict;
+  return batch;
 }
 
 } // namespace
@@ -156,22 +165,30 @@ Expected<tool::Json> checkLattice(const Gpu &gpu, const Volume &volume, const Ke
     return check.error();
   const Stopwatch watch;
   std::uint64_t rays = 0, hits = 0, wrong = 0;
+  double exactSeconds = 0, kernelSeconds = 0;
   tool::Json example;
   while (rays < options.rays && (options.seconds == 0 || watch.seconds() < options.seconds)) {
-    const auto verdict = check->batch(rays / kBatchRays, options.seed);
-    if (!verdict)
-      return verdict.error();
+    const auto batch = check->batch(rays / kBatchRays, options.seed);
+    if (!batch)
+      return batch.error();
     rays += kBatchRays;
-    hits += verdict->hits;
-    wrong += verdict->wrong;
-    if (verdict->wrong > 0 && example.is_null()) {
-      auto shown = check->example(*verdict);
+    hits += batch->verdict.hits;
+    wrong += batch->verdict.wrong;
+    exactSeconds += batch->exactSeconds;
+    kernelSeconds += batch->kernelSeconds;
+    if (batch->verdict.wrong > 0 && example.is_null()) {
+      auto shown = check->example(batch->verdict);
       if (!shown)
         return shown;
       example = std::move(*shown);
     }
   }
-  tool::Json figures{{"rays", rays}, {"hits", hits}, {"wrong", wrong}, {"seconds", watch.seconds()}};
+  tool::Json figures{{"rays", rays},
+                     {"hits", hits},
+                     {"wrong", wrong},
+                     {"seconds", watch.seconds()},
+                     {"exact_seconds", exactSeconds},
+                     {"kernel_seconds", kernelSeconds}};
   if (!example.is_null())
     figures["example"] = std::move(example);
   return figures;

@@ -6,7 +6,10 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <functional>
 
@@ -108,6 +111,33 @@ private:
   const std::string &folder_;
 };
 
+/// A picture of the volume from so many edges away, toward a corner between three sides.
+Rays fromDistance(const Volume &volume, double edges, int side) {
+  constexpr double kFill = 0.54; // Of an edge, from the middle of the picture to each side.
+  const Int3 extent = volume.info().extent;
+  const double edge = std::max({extent.x, extent.y, extent.z});
+  const glm::dvec3 middle = 0.5 * glm::dvec3(extent.x, extent.y, extent.z);
+  const glm::dvec3 way = glm::normalize(glm::dvec3(0.6, 0.35, 0.72)) * edges * edge;
+  const glm::dvec3 right = glm::normalize(glm::cross(-way, glm::dvec3(0, 1, 0)));
+  const glm::dvec3 up = glm::normalize(glm::cross(right, -way));
+  Rays rays;
+  for (int row = 0; row < side; ++row)
+    for (int column = 0; column < side; ++column) {
+      const auto place = [&](int pixel) { return kFill * edge * (2 * (pixel + 0.5) / side - 1); };
+      rays.push_back(makeRay(middle + way, glm::normalize(place(column) * right + place(row) * up - way)));
+    }
+  return rays;
+}
+
+/// Makes a folder; false if it has the file that is made last already.
+Expected<bool> beginFolder(const std::string &folder, const std::string &last) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure)
+    return Error::environment("folder '" + folder + "' cannot be made: " + failure.message());
+  return !std::filesystem::exists(std::filesystem::path(folder) / last);
+}
+
 Expected<void> keepSecondary(const Sets &sets, const Rays &rays, const Hits &hits) {
   const auto toSun = [](std::size_t, const glm::dvec3 &) { return kSun; };
   const auto diffuse = [](std::size_t index, const glm::dvec3 &normal) {
@@ -125,12 +155,9 @@ Expected<void> keepSecondary(const Sets &sets, const Rays &rays, const Hits &hit
 
 Expected<void> makeRaySets(const Volume &volume, const std::vector<NamedCamera> &cameras,
                            const std::string &folder) {
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (failure)
-    return Error::environment("folder '" + folder + "' cannot be made: " + failure.message());
-  if (std::filesystem::exists(std::filesystem::path(folder) / "bounce.hits"))
-    return {}; // The last that is made.
+  const auto begun = beginFolder(folder, "bounce.hits");
+  if (!begun || !*begun)
+    return begun ? Expected<void>() : begun.error();
   const auto oracle = Oracle::of(volume);
   if (!oracle)
     return oracle.error();
@@ -147,6 +174,26 @@ Expected<void> makeRaySets(const Volume &volume, const std::vector<NamedCamera> 
       if (auto kept = keepSecondary(sets, rays, *hits); !kept)
         return kept;
   }
+  return {};
+}
+
+Expected<void> makeDistanceSets(const Volume &volume, int side, const std::string &folder) {
+  constexpr std::array kEdges = {1.1, 1.5, 1.9, 2.1, 3.0, 6.0, 20.0, 300.0, 1e4, 1e6};
+  const auto nameOf = [](double edges) {
+    char name[32];
+    std::snprintf(name, sizeof name, "%09.1f-edges", edges); // In order of distance by name too.
+    return std::string(name);
+  };
+  const auto begun = beginFolder(folder, nameOf(kEdges.back()) + ".hits");
+  if (!begun || !*begun)
+    return begun ? Expected<void>() : begun.error();
+  const auto oracle = Oracle::of(volume);
+  if (!oracle)
+    return oracle.error();
+  const Sets sets(*oracle, folder);
+  for (const double edges : kEdges)
+    if (const auto kept = sets.keep(nameOf(edges), fromDistance(volume, edges, side)); !kept)
+      return kept.error();
   return {};
 }
 

@@ -22,4 +22,9 @@ struct NamedCamera {
 Expected<void> makeRaySets(const Volume &volume, const std::vector<NamedCamera> &cameras,
                            const std::string &folder);
 
+/// Makes sets of the rays of a camera, `side` x `side` of them, that is farther and farther away from the
+/// volume's middle, and in whose picture the volume is equally large: 1.5-edges and so on, in longest edges
+/// of the volume, each as above. Error: `Environment`, where a file cannot be written.
+Expected<void> makeDistanceSets(const Volume &volume, int side, const std::string &folder);
+
 } // namespace voxc::gpu

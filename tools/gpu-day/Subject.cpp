@@ -9,6 +9,26 @@ namespace voxc::gpu {
 namespace {
 
 constexpr int kFewestRuns = 5;
+constexpr double kLongestWarmUp = 1; // Seconds.
+constexpr double kNoFaster = 0.98;
+
+/// Whether a device has its highest clock: runs have not become faster for so long. A clock that has gone
+/// down while the device waited takes a tenth of a second to rise.
+class WarmUp {
+public:
+  explicit WarmUp(double seconds) : seconds_(seconds) {}
+
+  /// Counts a run in; true if that was the last.
+  bool isOver(double run) {
+    all_ += run;
+    steady_ = run < kNoFaster * least_ ? 0 : steady_ + run;
+    least_ = steady_ == 0 ? run : least_;
+    return steady_ >= seconds_ || all_ >= kLongestWarmUp;
+  }
+
+private:
+  double seconds_, all_ = 0, steady_ = 0, least_ = 1e30;
+};
 
 double sum(const std::vector<double> &seconds) {
   double all = 0;
@@ -36,17 +56,20 @@ Expected<RaysThere> bringRays(const Gpu &gpu, const std::string &name, std::span
 Expected<Times> timeSteps(const Gpu &gpu, std::span<const GpuStep> steps, double seconds) {
   Times times;
   std::vector<std::vector<double>> ofStep(steps.size());
-  double warmed = 0, timed = 0;
+  // The first runs compile, fill caches, and raise clocks.
+  WarmUp warmUp(seconds);
+  for (bool isWarm = false; !isWarm;) {
+    const auto run = gpu.run(steps);
+    if (!run)
+      return run.error();
+    isWarm = warmUp.isOver(sum(*run));
+  }
+  double timed = 0;
   while (timed < seconds || static_cast<int>(times.totals.size()) < kFewestRuns) {
     const auto run = gpu.run(steps);
     if (!run)
       return run.error();
     const double total = sum(*run);
-    // The first runs compile, fill caches, and raise clocks.
-    if (warmed < seconds / 2) {
-      warmed += total;
-      continue;
-    }
     timed += total;
     times.totals.push_back(total);
     for (std::size_t i = 0; i < steps.size(); ++i)

@@ -124,6 +124,8 @@ private:
 class Day {
 public:
   Expected<void> readFolder(const fs::path &folder);
+  /// What other programs have said: figures of `voxc trace` within a budget of memory, and plain texts.
+  Expected<void> readTexts(const fs::path &folder);
   std::string json() const { return all_.dump(1) + "\n"; }
   const std::string &records() const { return records_; }
   std::string table() const;
@@ -135,8 +137,10 @@ private:
   void fail(const std::string &what, const std::string &sentence);
 
   Json all_{{"schema", 1}, {"cells", Json::array()}, {"lattice", Json::array()}, {"failed", Json::object()}};
+  void addPages(const std::string &name, const Json &figures);
+
   std::map<std::string, SceneTable> tables_;
-  std::string records_, device_, failures_, lattice_;
+  std::string records_, device_, failures_, lattice_, pages_, texts_;
   std::uint64_t latticeRays_ = 0;
 };
 
@@ -205,6 +209,35 @@ Expected<void> Day::readFolder(const fs::path &folder) {
   return {};
 }
 
+void Day::addPages(const std::string &name, const Json &figures) {
+  const auto figure = [&](const char *key) { return figures.value(key, 0.0); };
+  pages_ += "| " + name + " | " + number("%.1f", figure("enough_bytes") / 1e6) + " | " +
+            number("%.0f", figure("pages_read")) + " | " + number("%.0f", figure("rounds")) + " | " +
+            number("%.3f", figure("page_seconds")) + " | " + number("%.1f", figure("mrays_per_s")) + " |\n";
+  all_["pages"][name] = figures;
+}
+
+Expected<void> Day::readTexts(const fs::path &folder) {
+  const auto files = filesOf(folder.string());
+  if (!files)
+    return files.error();
+  for (const fs::path &file : *files) {
+    const auto text = readTextFile(file.string());
+    if (!text)
+      return text.error();
+    if (file.extension() == ".txt") {
+      texts_ += "\n## " + file.stem().string() + "\n\n```\n" + *text + "```\n";
+      all_["texts"][file.stem().string()] = *text;
+    } else if (file.extension() == ".json") {
+      if (const Json figures = Json::parse(*text, nullptr, false); figures.is_object())
+        addPages(file.stem().string(), figures);
+    } else if (!text->empty()) {
+      fail(file.filename().string(), text->substr(0, text->find('\n')));
+    }
+  }
+  return {};
+}
+
 std::string Day::table() const {
   std::string text = "# " + device_ + "\n";
   for (const auto &[scene, rows] : tables_)
@@ -214,6 +247,14 @@ std::string Day::table() const {
             " rays of a lattice against exact hits by integers, all compared on the device.\n\n"
             "| Format | arithmetic | rays | hits | wrong |\n|---|---|---|---|---|\n" +
             lattice_;
+  if (!pages_.empty())
+    text +=
+        "\n## Pages\n\nA volume of which a part is in memory; MB that would be enough, and million rays a "
+        "second of "
+        "the time that passed.\n\n"
+        "| Budget | enough | pages read | rounds | seconds of pages | speed |\n|---|---|---|---|---|---|\n" +
+        pages_;
+  text += texts_;
   return failures_.empty() ? text : text + "\n## Failed\n\n" + failures_;
 }
 
@@ -223,6 +264,9 @@ Expected<void> writeTables(const std::string &folder, const std::string &output)
   Day day;
   for (const char *const part : {"cells", "lattice"})
     if (auto read = day.readFolder(fs::path(folder) / part); !read)
+      return read;
+  if (const fs::path texts = fs::path(folder) / "texts"; fs::exists(texts))
+    if (auto read = day.readTexts(texts); !read)
       return read;
   const auto path = [&](const char *name) { return (fs::path(output) / name).string(); };
   for (const auto &[name, text] :

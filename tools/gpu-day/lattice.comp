@@ -43,7 +43,7 @@ struct LatticeRay {
 
 const uint KINDS = 8u;
 
-// A workgroup draws rays of one kind: those from far away take a hundred times as many steps as others.
+// A workgroup draws rays of one kind: those from far away take more steps than others.
 LatticeRay draw_ray(uint kind) {
   int side = edge * UNIT;
   LatticeRay ray = LatticeRay(between(ivec3(-side), ivec3(2 * side)), between(ivec3(-1023), ivec3(1023)));
@@ -147,6 +147,36 @@ void step(LatticeRay ray, inout Arrival at) {
   at.when = when;
 }
 
+int rounded_up(int way, int speed) { return way >= 0 ? (way + speed - 1) / speed : -(-way / speed); }
+int rounded_down(int way, int speed) { return -rounded_up(-way, speed); }
+
+// The cell of an axis just before a moment: a coordinate that is on a face then has not passed it yet.
+int cell_before(LatticeRay ray, Moment when, int axis) {
+  int speed = ray.direction[axis];
+  int way = ray.origin[axis] * when.speed + speed * when.way;
+  int unit = UNIT * when.speed;
+  return speed > 0 ? rounded_up(way, unit) - 1 : rounded_down(way, unit);
+}
+
+// Puts a ray that begins outside to where it is about to pass the last of the volume's faces that it has to pass: no cell before that is
+// in the volume, and steps through all of them would take most of the time.
+void come_near(LatticeRay ray, inout Arrival at) {
+  Moment last = Moment(0, 1);
+  for (int axis = 0; axis < 3; axis++) {
+    bool rises = ray.direction[axis] > 0;
+    if (rises ? at.cell[axis] < 0 : ray.direction[axis] < 0 && at.cell[axis] >= edge) {
+      Moment entry = Moment(abs((rises ? 0 : edge * UNIT) - ray.origin[axis]), abs(ray.direction[axis]));
+      if (is_before(last, entry))
+        last = entry;
+    }
+  }
+  if (last.way == 0)
+    return;
+  for (int axis = 0; axis < 3; axis++)
+    if (ray.direction[axis] != 0)
+      at.cell[axis] = cell_before(ray, last, axis);
+}
+
 // way / (256 speed) to the nearest float32, ties to even, by long division.
 uint rounded(Moment when) {
   if (when.way == 0)
@@ -181,6 +211,7 @@ void main() {
     rays[6u * number + 3u + axis] = float(ray.direction[axis]);
   }
   Arrival at = Arrival(ray.origin >> 8, Moment(0, 1));
+  come_near(ray, at);
   uint word = word_at(at.cell);
   while (word == 0u && may_come(ray, at.cell)) {
     step(ray, at);

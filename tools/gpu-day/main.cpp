@@ -43,6 +43,14 @@ void declareRays(const tool::CommandLine &command, Options &options) {
       .takes("DIR");
 }
 
+void declareDistances(const tool::CommandLine &command, Options &options) {
+  command.add("--side", options.side, "Pixels of each side of a picture").takes("N").showsDefault();
+  command.add("volume", options.volume, "The scene, in any format").required().takes("VOLUME.hvx");
+  command.add("-o,--output", options.output, "Folder for the rays and the oracle's hits")
+      .required()
+      .takes("DIR");
+}
+
 void declareMeasure(const tool::CommandLine &command, Options &options) {
   command.add("--rays", options.folder, "Folder of rays and hits").required().takes("DIR");
   command.add("--volume", options.volume, "A volume").takes("VOLUME.hvx");
@@ -55,11 +63,15 @@ void declareMeasure(const tool::CommandLine &command, Options &options) {
       .takes("CODE.ptx")
       .repeated();
   command.add("--peer", options.peer, "A tracer by hand in place of a volume").takes("KERNEL.spv");
-  command.add("--nodes", options.nodes, "What it traces through").takes("NODES.bin");
+  command
+      .add("--nodes", options.nodes,
+           "What a tracer by hand traces through, or a CUDA program that reads no volume of voxc")
+      .takes("NODES.bin");
   command.add("--group", options.groups, "Measure workgroups of this size too; may be given several times")
       .takes("N")
       .repeated();
   command.addFlag("--at-once", options.atOnce, "Measure one dispatch that does all, too");
+  command.addFlag("--follow", options.follows, "Measure how long a tracer takes to follow edits, too");
   command.add("--set", options.only, "These rays alone; may be given several times").takes("NAME").repeated();
   command.add("--seconds", options.seconds, "Time each figure for so long").takes("S").showsDefault();
   command.add("--device", options.device, "The device whose name contains this").takes("NAME");
@@ -93,6 +105,8 @@ int main(int argc, char **argv) {
     declare(commands.back().line, options);
   };
   add("rays", "Make the rays of a scene, and the oracle's hits", gpu::declareRays, gpu::makeRays);
+  add("distances", "Make the rays of a camera from farther and farther away, and the oracle's hits",
+      gpu::declareDistances, gpu::makeDistances);
   add("measure", "Measure a volume, or a tracer by hand, on rays", gpu::declareMeasure, gpu::measure);
   add("lattice", "Check kernels on hard rays, against integers, on the device", gpu::declareLattice,
       gpu::checkHardRays);
