@@ -1,5 +1,5 @@
 // What a command asks of its process: signals that would end it become errors, formats have no more levels
-// than the environment allows, and the stack is large enough.
+// than the environment allows, the heap lies on huge pages, and the stack is large enough.
 #pragma once
 
 #include "voxc/Support/Error.h"
