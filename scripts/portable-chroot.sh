@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Proves that the wheel and the tarball are complete: in clean roots of systems, each of which has Python, NumPy and nothing of ours, the
-# tarball is unpacked and its program runs; one command installs the wheel in a virtual environment, where five lines make a picture, the program
+# Proves that the wheel, the tarball and the AppImage are complete: in clean roots of systems, each of which has Python, NumPy and nothing of
+# ours, the tarball is unpacked and its program runs, and the AppImage runs as it is; one command installs the wheel in a virtual environment, where five lines make a picture, the program
 # runs, and the tests of the module pass.
 #
 # Usage: scripts/portable-chroot.sh FOLDER [SUITE[=MIRROR]...]
-# FOLDER has what scripts/wheel.sh and scripts/tarball.sh made, and gets a picture of each suite. The suites are Debian's or Ubuntu's, by default the
+# FOLDER has what scripts/wheel.sh, scripts/tarball.sh and scripts/appimage.sh made, and gets a picture of each suite. The suites are Debian's or Ubuntu's, by default the
 # oldest and the newest Debian that packages are to be had of (bullseye, with glibc 2.31, and trixie, with 2.41); a mirror is where its packages
 # come from, by default from where this machine's do. Where Python is older than 3.9, the tarball alone is tried. Needs root and debootstrap
 # (scripts/packages-full.txt).
@@ -44,6 +44,17 @@ try_tarball() {
   echo "the tarball: $(inside "/$voxc" --version), $(inside "/$voxc" devices | grep -c '^[a-z0-9]') device"
 }
 
+try_appimage() {
+  cp "$folder"/voxc-*.AppImage "$root$desk/voxc.AppImage"
+  local begin=$SECONDS
+  inside "$desk/voxc.AppImage" run 'R(3, 3, 3) G(4)' builtin:terrain --size 640x360 -o "$desk/appimage.png" --quiet
+  cmp "$root$desk/appimage.png" "$root$desk/tarball.png"
+  printf 'the AppImage: the picture of the tarball, in %d s' $((SECONDS - begin))
+  begin=$SECONDS
+  inside "$desk/voxc.AppImage" --version > /dev/null
+  printf ', and started again in %d s\n' $((SECONDS - begin))
+}
+
 try_wheel() { # SUITE
   cp "$folder"/voxc-*.whl python/voxc*_test.py "$root$desk"
   inside python3 -m venv --system-site-packages "$desk/venv"
@@ -76,6 +87,7 @@ for suite; do
   esac
   mkdir -p "$root$desk"
   try_tarball
+  try_appimage
   if inside python3 -c 'import sys; sys.exit(sys.version_info < (3, 9))'; then
     try_wheel "${suite%%=*}"
   fi

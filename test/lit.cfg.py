@@ -75,6 +75,8 @@ config.substitutions.append(("%blender", "env PATH=/usr/bin:/bin blender"))
 for program in ["readelf", "zsh", "fish", "mypy", "blender"]:
     if shutil.which(program):
         config.available_features.add(program)
+if shutil.which("mksquashfs") and os.path.exists("/usr/include/squashfuse/squashfuse.h"):
+    config.available_features.add("squashfuse")
 config.available_features.update(name for name, is_built in config.components.items() if is_built)
 if config.has_spirv_cross:
     config.available_features.add("spirv-cross")
