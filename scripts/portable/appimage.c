@@ -6,7 +6,6 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <ftw.h>
-#include <inttypes.h>
 #include <limits.h>
 #include <squashfuse/squashfuse.h>
 #include <stdarg.h>
@@ -21,8 +20,8 @@ enum { kPath = PATH_MAX, kBlock = 1 << 16, kNoImage = 3 };
 static const char kHelp[] =
     "Options of the AppImage; all others are the program's:\n"
     "  --appimage-extract  unpack all into ./squashfs-root\n"
-    "  --appimage-offset   tell at which byte the squashfs begins\n"
-    "  --appimage-help     tell this\n"
+    "  --appimage-offset   print at which byte the squashfs begins\n"
+    "  --appimage-help     print this\n"
     "It is unpacked once into $XDG_CACHE_HOME or ~/.cache, as voxc-appimage-DIGEST.\n";
 
 __attribute__((noreturn, format(printf, 1, 2))) static void fail(const char *format, ...) {
@@ -42,7 +41,8 @@ __attribute__((format(printf, 2, 3))) static void join(char path[kPath], const c
   va_end(arguments);
 }
 
-// The library also reads images of other compressions than zstd's, which these would be asked for; ours is none of them.
+// The library also reads images of other compressions than zstd's, which these would be asked for; ours is
+// none of them.
 int uncompress(void) { return -1; }
 int lzma_stream_buffer_decode(void) { return -1; }
 int lzo1x_decompress_safe(void) { return -1; }
@@ -56,19 +56,6 @@ static off_t offset_of(const char *image) {
     fail("cannot read '%s': %s", image, strerror(errno));
   close(file);
   return (off_t)(head.e_shoff + (Elf64_Off)head.e_shentsize * head.e_shnum);
-}
-
-// Of the image's end, where the tables of all files and blocks are (FNV-1a; Fowler, Noll and Vo).
-static uint64_t digest_of(const char *image) {
-  static unsigned char block[kBlock];
-  const int file = open(image, O_RDONLY | O_CLOEXEC);
-  const off_t size = lseek(file, 0, SEEK_END);
-  const ssize_t bytes = pread(file, block, kBlock, size < kBlock ? 0 : size - kBlock);
-  close(file);
-  uint64_t digest = 14695981039346656037u;
-  for (ssize_t i = 0; i < bytes; ++i)
-    digest = (digest ^ block[i]) * 1099511628211u;
-  return (digest ^ (uint64_t)size) * 1099511628211u;
 }
 
 static void unpack_file(sqfs *image, sqfs_inode *inode, const char *path) {
@@ -96,19 +83,19 @@ static void unpack_link(sqfs *image, sqfs_inode *inode, const char *path) {
 }
 
 static void unpack(sqfs *image, const char *folder) {
-  sqfs_traverse walk;
+  sqfs_traverse entries;
   sqfs_err problem = SQFS_OK;
   if (mkdir(folder, 0700) != 0)
     fail("cannot make the folder '%s': %s", folder, strerror(errno));
-  if (sqfs_traverse_open(&walk, image, sqfs_inode_root(image)) != SQFS_OK)
+  if (sqfs_traverse_open(&entries, image, sqfs_inode_root(image)) != SQFS_OK)
     fail("the AppImage is damaged");
-  while (sqfs_traverse_next(&walk, &problem)) {
-    if (walk.dir_end)
+  while (sqfs_traverse_next(&entries, &problem)) {
+    if (entries.dir_end)
       continue;
     char path[kPath];
-    join(path, "%s/%s", folder, walk.path);
+    join(path, "%s/%s", folder, entries.path);
     sqfs_inode inode;
-    if (sqfs_inode_get(image, &inode, sqfs_dentry_inode(&walk.entry)) != SQFS_OK)
+    if (sqfs_inode_get(image, &inode, sqfs_dentry_inode(&entries.entry)) != SQFS_OK)
       fail("the AppImage is damaged at '%s'", path);
     if (S_ISDIR(inode.base.mode) ? mkdir(path, 0755) != 0 : false)
       fail("cannot make the folder '%s': %s", path, strerror(errno));
@@ -117,13 +104,13 @@ static void unpack(sqfs *image, const char *folder) {
     if (S_ISLNK(inode.base.mode))
       unpack_link(image, &inode, path);
   }
-  sqfs_traverse_close(&walk);
+  sqfs_traverse_close(&entries);
   if (problem != SQFS_OK)
     fail("the AppImage is damaged");
 }
 
-// Where the tree of this image lies once it is unpacked; the folder above is made.
-static void place_of(const char *image, char place[kPath]) {
+// Where the tree of this image, by its digest, lies once it is unpacked; the folder above is made.
+static void place_of(char place[kPath]) {
   const char *cache = getenv("XDG_CACHE_HOME"), *home = getenv("HOME");
   char above[kPath];
   if (cache && *cache)
@@ -133,7 +120,7 @@ static void place_of(const char *image, char place[kPath]) {
   else
     fail("there is no folder to unpack the AppImage into; set HOME or XDG_CACHE_HOME");
   mkdir(above, 0700);
-  join(place, "%s/voxc-appimage-%016" PRIx64, above, digest_of(image));
+  join(place, "%s/voxc-appimage-%s", above, DIGEST);
 }
 
 static int remove_entry(const char *path, const struct stat *status, int kind, struct FTW *place) {
@@ -175,7 +162,7 @@ int main(int count, char **arguments) {
     unpack(&files, "squashfs-root");
     return 0;
   }
-  place_of(image, place);
+  place_of(place);
   unpack_once(&files, place);
   setenv("APPIMAGE", image, 1);
   setenv("APPDIR", place, 1);

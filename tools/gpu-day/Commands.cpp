@@ -61,6 +61,9 @@ Expected<void> makeRays(const Options &options) {
 }
 
 Expected<void> makeDistances(const Options &options) {
+  if (options.side < 1 || options.side > tool::kMaxPictureSide)
+    return Error::usage("--side is " + std::to_string(options.side) + "; it should be 1 to " +
+                        std::to_string(tool::kMaxPictureSide) + " pixels");
   const auto volume = Volume::load(options.volume, {.trusted = true});
   return volume ? makeDistanceSets(*volume, options.side, options.output) : volume.error();
 }
@@ -101,6 +104,8 @@ Expected<Brought> bringSets(const Gpu &gpu, const Options &options) {
     const auto hits = brought.files[last].as<Hit>();
     if (rays.size() != hits.size())
       return Error::input("'" + path + ".hits' has not as many records as its rays");
+    if (rays.empty())
+      continue; // Of a camera that sees nothing no ray goes on.
     auto set = bringRays(gpu, name, rays, hits, kPeerColumns);
     if (!set)
       return set.error();
@@ -146,10 +151,11 @@ Expected<Json> measureVolume(const Gpu &gpu, const Options &options, std::span<c
     if (!kernel)
       return kernel.error();
     keep(path, subject->measure(*kernel, sets));
-    if (auto following = options.follows ? measureFollowing(options.device, *kernel, *volume) : Json())
-      kernels[kindOf(path)]["follow_us"] = std::move(*following);
-    else
-      return following.error();
+    if (!options.follows)
+      continue;
+    auto following = measureFollowing(options.device, *kernel, *volume);
+    kernels[kindOf(path)]["follow_us"] =
+        following ? std::move(*following) : Json{{"failed", following.error().message}};
   }
   for (const std::string &path : options.cudas) {
     const auto code = readTextFile(path);

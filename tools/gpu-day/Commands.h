@@ -28,7 +28,8 @@ struct Options {
 /// (`Usage`).
 Expected<void> makeRays(const Options &options);
 
-/// Makes the rays of a camera from farther and farther away. Errors: of reading.
+/// Makes the rays of a camera from farther and farther away. Errors: of reading; a picture of no pixels
+/// (`Usage`).
 Expected<void> makeDistances(const Options &options);
 
 /// Measures a volume with its kernels, or a tracer by hand, on all sets of a folder. Errors: of reading, and

@@ -21,7 +21,7 @@ constexpr std::uint64_t kListHead = 4; // Words before the numbers of rays in th
 /// those of a camera all do, or none.
 bool beginsFar(const RaysThere &set, Int3 extent) {
   const float far = 2 * static_cast<float>(std::max({extent.x, extent.y, extent.z}));
-  return std::ranges::any_of(set.rays.first(1).front().origin, [&](float at) { return std::abs(at) > far; });
+  return std::ranges::any_of(set.rays.front().origin, [&](float at) { return std::abs(at) > far; });
 }
 
 Expected<Program> makeVariant(const Gpu &gpu, const Kernel &kernel, bool exactFallback, std::uint32_t group,

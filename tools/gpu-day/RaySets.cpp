@@ -129,13 +129,17 @@ Rays fromDistance(const Volume &volume, double edges, int side) {
   return rays;
 }
 
-/// Makes a folder; false if it has the file that is made last already.
-Expected<bool> beginFolder(const std::string &folder, const std::string &last) {
+/// Makes a folder and lets `work` keep its sets there, unless it has the set that is made last already.
+Expected<void> keepIn(const std::string &folder, const std::string &last, const Volume &volume,
+                      const std::function<Expected<void>(const Sets &)> &work) {
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   if (failure)
     return Error::environment("folder '" + folder + "' cannot be made: " + failure.message());
-  return !std::filesystem::exists(std::filesystem::path(folder) / last);
+  if (std::filesystem::exists(std::filesystem::path(folder) / (last + ".hits")))
+    return {};
+  const auto oracle = Oracle::of(volume);
+  return oracle ? work(Sets(*oracle, folder)) : oracle.error();
 }
 
 Expected<void> keepSecondary(const Sets &sets, const Rays &rays, const Hits &hits) {
@@ -151,17 +155,7 @@ Expected<void> keepSecondary(const Sets &sets, const Rays &rays, const Hits &hit
   return {};
 }
 
-} // namespace
-
-Expected<void> makeRaySets(const Volume &volume, const std::vector<NamedCamera> &cameras,
-                           const std::string &folder) {
-  const auto begun = beginFolder(folder, "bounce.hits");
-  if (!begun || !*begun)
-    return begun ? Expected<void>() : begun.error();
-  const auto oracle = Oracle::of(volume);
-  if (!oracle)
-    return oracle.error();
-  const Sets sets(*oracle, folder);
+Expected<void> keepCameras(const Sets &sets, const std::vector<NamedCamera> &cameras) {
   for (const NamedCamera &named : cameras) {
     const Rays rays = cameraRays(named.camera);
     const auto hits = sets.keep(named.name, rays);
@@ -177,24 +171,28 @@ Expected<void> makeRaySets(const Volume &volume, const std::vector<NamedCamera> 
   return {};
 }
 
+constexpr std::array kEdges = {1.1, 1.5, 1.9, 2.1, 3.0, 6.0, 20.0, 300.0, 1e4, 1e6};
+
+std::string nameOfDistance(double edges) {
+  char name[32];
+  std::snprintf(name, sizeof name, "%09.1f-edges", edges); // In order of distance by name too.
+  return name;
+}
+
+} // namespace
+
+Expected<void> makeRaySets(const Volume &volume, const std::vector<NamedCamera> &cameras,
+                           const std::string &folder) {
+  return keepIn(folder, "bounce", volume, [&](const Sets &sets) { return keepCameras(sets, cameras); });
+}
+
 Expected<void> makeDistanceSets(const Volume &volume, int side, const std::string &folder) {
-  constexpr std::array kEdges = {1.1, 1.5, 1.9, 2.1, 3.0, 6.0, 20.0, 300.0, 1e4, 1e6};
-  const auto nameOf = [](double edges) {
-    char name[32];
-    std::snprintf(name, sizeof name, "%09.1f-edges", edges); // In order of distance by name too.
-    return std::string(name);
-  };
-  const auto begun = beginFolder(folder, nameOf(kEdges.back()) + ".hits");
-  if (!begun || !*begun)
-    return begun ? Expected<void>() : begun.error();
-  const auto oracle = Oracle::of(volume);
-  if (!oracle)
-    return oracle.error();
-  const Sets sets(*oracle, folder);
-  for (const double edges : kEdges)
-    if (const auto kept = sets.keep(nameOf(edges), fromDistance(volume, edges, side)); !kept)
-      return kept.error();
-  return {};
+  return keepIn(folder, nameOfDistance(kEdges.back()), volume, [&](const Sets &sets) -> Expected<void> {
+    for (const double edges : kEdges)
+      if (const auto kept = sets.keep(nameOfDistance(edges), fromDistance(volume, edges, side)); !kept)
+        return kept.error();
+    return {};
+  });
 }
 
 } // namespace voxc::gpu
