@@ -137,7 +137,9 @@ class Told(unittest.TestCase):
             (voxc.UsageError, "usage", lambda: voxc.Format("G(3)", "nothing")),
             (voxc.UsageError, "usage", lambda: voxc.Format("G(3)").header(language="cobol")),
             (voxc.MachineError, "environment", lambda: voxc.build("G(3)", "builtin:full:8").tracer("no such device")),
-            (voxc.MachineError, "environment", lambda: voxc.search("builtin:full:8", program="/no/such/voxc")),
+            (voxc.MachineError, "environment", lambda: voxc.search("builtin:full:8", device="no such device")),
+            (voxc.UsageError, "usage", lambda: voxc.suggest("builtin:full:8", objective="nicest")),
+            (voxc.InputError, "input", lambda: voxc.suggest("builtin:full:8", formats=["Q(3)"])),
         ):
             with self.assertRaises(error) as caught:
                 call()
@@ -198,8 +200,45 @@ class Notebooks(unittest.TestCase):
         [chosen] = [row for row in rows if row["chosen"]]
         self.assertTrue(chosen["frontier"] and chosen["camera_rays_per_second"] > 0)
         smallest = min(rows, key=lambda row: row["bytes"])
-        volume = voxc.build(smallest["format"], "builtin:terrain", resolution=32, passes=re.split(" ", smallest["passes"]))
+        volume = voxc.build(smallest["format"], "builtin:terrain", resolution=32, passes=smallest["passes"])
         self.assertEqual(4 * len(volume.words), smallest["bytes"])
+
+    def test_suggestions_keep_to_what_is_asked(self):
+        rows = voxc.suggest("builtin:terrain", resolution=32, formats=["G(5)", "R(2^3) G(3)"], objective="smallest", editable=True)
+        self.assertEqual({row["format"] for row in rows}, {"G(5)", "R(2^3) G(3)"})
+        self.assertEqual(min(rows, key=lambda row: row["bytes"])["chosen"], True)
+        self.assertTrue(all("values-apart" not in row["passes"] for row in rows))
+        rays = np.zeros(64, voxc.RAY)
+        rays["origin"], rays["direction"] = (-1, 16, 16), (1, 0, 0)
+        [row] = voxc.suggest("builtin:terrain", resolution=32, formats=["S(5)"], rays=rays, max_bytes=1 << 20)
+        self.assertGreater(row["rays_rays_per_second"], 0)
+        with self.assertRaisesRegex(voxc.InputError, "takes so few bytes"):
+            voxc.suggest("builtin:terrain", resolution=32, max_bytes=8)
+
+    def test_searches_measure_in_process(self):
+        bar = Bar()
+        rows = voxc.search("builtin:terrain", budget=60, resolution=32, device="cpu", formats=["G(5)", "R(5^3)"], threads=1, progress=bar)
+        self.assertEqual({row["format"] for row in rows}, {"G(5)", "R(5^3)"})
+        self.assertTrue(bar.stages)
+        for row in rows:
+            self.assertIsNone(row["failure"])
+            self.assertEqual(row["wrong_rays"], 0)
+            self.assertGreater(row["checked_rays"], 0)
+            self.assertLessEqual(row["overview_slowest_rays_per_second"], row["overview_rays_per_second"])
+            volume = voxc.build(row["format"], "builtin:terrain", resolution=32, passes=row["passes"])
+            self.assertEqual(4 * len(volume.words), row["bytes"])
+        self.assertEqual(sum(row["chosen"] for row in rows), 1)
+
+    def test_searches_end(self):
+        def stop(stage, fraction, done):
+            raise ZeroDivisionError
+
+        with self.assertRaises(ZeroDivisionError):
+            voxc.search("builtin:terrain", resolution=64, device="cpu", progress=stop)
+        with self.assertRaisesRegex(voxc.UsageError, "ended before one format was measured"):
+            voxc.search("builtin:terrain", budget=1e-6, resolution=64, device="cpu")
+        with self.assertRaisesRegex(TypeError, "did you mean resolution"):
+            voxc.search("builtin:terrain", resolutoin=64)
 
 
 if __name__ == "__main__":

@@ -10,6 +10,7 @@
 #include "options/Outputs.h"
 #include "options/VolumeArgument.h"
 #include "program/Applications.h"
+#include "tracing/TraceSession.h"
 #include "voxc/IR/Query.h"
 
 #include <filesystem>
@@ -37,12 +38,12 @@ private:
   Expected<void> checkUsage() const;
   Expected<Rays> loadRays(const VolumeInfo &volume) const;
   Expected<Findings> compete(const Volume &volume, const Rays &rays, const Progress &progress);
-  Expected<std::vector<std::unique_ptr<VariantCandidate>>> prepareAll(const std::vector<Variant> &variants,
-                                                                      const Volume &volume) const;
+  Expected<std::vector<std::unique_ptr<VariantCandidate>>>
+  prepareAll(const std::vector<Variant> &variants, const Volume &volume, const Camera &camera);
   Expected<std::vector<LodFinding>> findLods(const Variant &variant, const Volume &volume, const Rays &rays,
-                                             const Progress &progress) const;
+                                             const Progress &progress);
   Expected<void> findSeries(const std::vector<Variant> &variants, const Volume &volume, const Oracle &oracle,
-                            const Progress &progress, Findings &findings) const;
+                            const Progress &progress, Findings &findings);
   Expected<void> tell(const Volume &volume, const Findings &findings) const;
   void drawPlots() const;
 
@@ -50,6 +51,7 @@ private:
   std::string raysPath_;
   CameraOptions camera_;
   std::string folder_;
+  measure::Devices devices_;
   VariantChoice choice_{precisions(), traversalsOfTrees(), {""}};
   std::vector<double> lods_;
   unsigned rounds_ = 5;
@@ -147,10 +149,12 @@ Expected<Rays> AccuracyCommand::loadRays(const VolumeInfo &volume) const {
 }
 
 Expected<std::vector<std::unique_ptr<VariantCandidate>>>
-AccuracyCommand::prepareAll(const std::vector<Variant> &variants, const Volume &volume) const {
+AccuracyCommand::prepareAll(const std::vector<Variant> &variants, const Volume &volume,
+                            const Camera &camera) {
   std::vector<std::unique_ptr<VariantCandidate>> candidates;
   for (const Variant &variant : variants) {
-    Expected<std::unique_ptr<VariantCandidate>> candidate = prepare(variant, volume, choice_.threads);
+    const auto spread = static_cast<float>(variant.lod > 0 ? variant.lod * pixelSpread(camera) : 0);
+    auto candidate = prepare(variant, volume, devices_, choice_.threads, spread);
     if (!candidate)
       return candidate.error();
     candidates.push_back(std::move(*candidate));
@@ -159,30 +163,28 @@ AccuracyCommand::prepareAll(const std::vector<Variant> &variants, const Volume &
 }
 
 Expected<std::vector<LodFinding>> AccuracyCommand::findLods(const Variant &variant, const Volume &volume,
-                                                            const Rays &rays,
-                                                            const Progress &progress) const {
+                                                            const Rays &rays, const Progress &progress) {
   std::vector<Variant> variants{variant};
   for (const double pixels : lods_)
     variants.push_back(withLod(variant, pixels));
-  auto candidates = prepareAll(variants, volume);
+  auto candidates = prepareAll(variants, volume, rays.camera);
   if (!candidates)
     return candidates.error();
-  for (const auto &candidate : *candidates)
-    candidate->spread = static_cast<float>(candidate->variant.lod * pixelSpread(rays.camera));
   if (Expected<void> traced = traceInTurn(*candidates, rays.rays, rounds_, progress); !traced)
     return traced.error();
 
   const auto pictureOf = [&](const VariantCandidate &candidate) {
-    return shade(rays.rays, candidate.hits, rays.camera.width, rays.camera.height);
+    return shade(rays.rays, candidate.subject.hits(), rays.camera.width, rays.camera.height);
   };
   const VariantCandidate &full = *candidates->front();
   const Picture reference = pictureOf(full);
   std::vector<LodFinding> findings;
   for (std::size_t i = 1; i < candidates->size(); ++i) {
     const VariantCandidate &coarse = *(*candidates)[i];
-    findings.push_back(
-        {coarse.variant.lod, mraysPerCpuSecond(coarse), median(full.cpuSeconds) / median(coarse.cpuSeconds),
-         areEqual(full.cpuSeconds, coarse.cpuSeconds), difference(reference, pictureOf(coarse))});
+    findings.push_back({coarse.variant.lod, mraysPerCpuSecond(coarse),
+                        measure::median(full.times.cpuSeconds) / measure::median(coarse.times.cpuSeconds),
+                        measure::areEqual(full.times.cpuSeconds, coarse.times.cpuSeconds),
+                        difference(reference, pictureOf(coarse))});
   }
   return findings;
 }
@@ -192,7 +194,7 @@ Expected<Findings> AccuracyCommand::compete(const Volume &volume, const Rays &ra
   Findings findings;
   findings.rounds = rounds_;
   const std::vector<Variant> variants = makeVariants(volume.format(), choice_);
-  auto candidates = prepareAll(variants, volume);
+  auto candidates = prepareAll(variants, volume, rays.camera);
   if (!candidates)
     return candidates.error();
   if (Expected<void> traced = traceInTurn(*candidates, rays.rays, rounds_, progress); !traced)
@@ -217,15 +219,15 @@ Expected<Findings> AccuracyCommand::compete(const Volume &volume, const Rays &ra
 
 Expected<void> AccuracyCommand::findSeries(const std::vector<Variant> &variants, const Volume &volume,
                                            const Oracle &oracle, const Progress &progress,
-                                           Findings &findings) const {
+                                           Findings &findings) {
   const SeriesOptions options{seriesRays_, rounds_, choice_.threads, progress};
-  const auto candidates = prepareAll(variants, volume);
+  const auto candidates = prepareAll(variants, volume, {});
   if (!candidates)
     return candidates.error();
   auto distances = distanceSeries(*candidates, oracle, volume.info().extent, options);
   if (!distances)
     return distances.error();
-  auto resolutions = resolutionSeries(choice_, options);
+  auto resolutions = resolutionSeries(choice_, devices_, options);
   if (!resolutions)
     return resolutions.error();
   findings.distances = std::move(*distances);
@@ -246,7 +248,7 @@ Expected<void> AccuracyCommand::tell(const Volume &volume, const Findings &findi
     printTables(findings);
   Json figures{{"schema", "voxc accuracy 1"}};
   addVolumeFigures(figures, volume);
-  figures["rays"] = findings.candidates[0]->hits.size();
+  figures["rays"] = findings.candidates[0]->subject.hits().size();
   addFindings(figures, findings);
   if (!folder_.empty()) {
     const std::string path = (std::filesystem::path(folder_) / "accuracy.json").string();
@@ -260,6 +262,7 @@ Expected<void> AccuracyCommand::tell(const Volume &volume, const Findings &findi
 Expected<void> AccuracyCommand::run() {
   if (Expected<void> usable = checkUsage(); !usable)
     return usable;
+  limitDeviceThreads(choice_.threads);
   ProgressBar bar(common_.quiet);
   Expected<Volume> volume = volume_.load();
   if (!volume)

@@ -2,7 +2,9 @@
 #include "accuracy/Findings.h"
 
 #include "tracing/ErrorCheck.h"
+#include "tracing/TraceSession.h"
 
+#include <algorithm>
 #include <cinttypes>
 #include <cmath>
 #include <cstdio>
@@ -12,8 +14,8 @@ namespace {
 
 /// The first candidate's time over this one's.
 double ratioTo(const VariantCandidate &first, const VariantCandidate &candidate) {
-  const double seconds = median(candidate.cpuSeconds);
-  return seconds > 0 ? median(first.cpuSeconds) / seconds : 0;
+  const double seconds = measure::median(candidate.times.cpuSeconds);
+  return seconds > 0 ? measure::median(first.times.cpuSeconds) / seconds : 0;
 }
 
 void printVariants(const Findings &findings) {
@@ -23,17 +25,20 @@ void printVariants(const Findings &findings) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     const VariantCandidate &candidate = *findings.candidates[i];
     const ErrorFigures &error = candidate.error;
-    const bool equal = areEqual(findings.candidates[0]->cpuSeconds, candidate.cpuSeconds);
+    const bool equal =
+        measure::areEqual(findings.candidates[0]->times.cpuSeconds, candidate.times.cpuSeconds);
     std::printf("%-28s %7" PRIu64 " %6" PRIu64 " %6" PRIu64 " %8" PRIu64
                 " %9.3g %9.3g %8.3g %11.4g %6.1f%% %6.3f%s\n",
                 names[i].c_str(), error.missed, error.ghost, error.wrong, error.boundary, error.maxDt,
-                error.rmsDt, error.maxUlpDt, mraysPerCpuSecond(candidate), 100 * spread(candidate.cpuSeconds),
+                error.rmsDt, error.maxUlpDt, mraysPerCpuSecond(candidate),
+                100 * measure::spread(candidate.times.cpuSeconds),
                 ratioTo(*findings.candidates[0], candidate), equal ? " =" : "");
   }
   std::printf("errors on %" PRIu64
               " of %zu rays; speeds are medians of %u rounds in turn; = as fast as the first within "
               "the spread\n",
-              findings.candidates[0]->error.rays, findings.candidates[0]->hits.size(), findings.rounds);
+              findings.candidates[0]->error.rays, findings.candidates[0]->subject.hits().size(),
+              findings.rounds);
 }
 
 void printLods(const std::vector<LodFinding> &lods) {
@@ -59,20 +64,31 @@ void printSeries(const char *name, const std::vector<SeriesPoint> &series,
   std::printf("\n");
 }
 
+/// min, median, max and spread; null of none.
+Json repeatsJson(const measure::Repeats &repeats) {
+  if (repeats.empty())
+    return nullptr;
+  return {{"min", std::ranges::min(repeats)},
+          {"median", measure::median(repeats)},
+          {"max", std::ranges::max(repeats)},
+          {"spread", measure::spread(repeats)}};
+}
+
 Json variantJson(const VariantCandidate &candidate, const VariantCandidate &first, const std::string &label) {
   Json json{{"label", label}, {"precision", candidate.variant.precision}};
   if (!candidate.variant.traversal.empty())
     json["traversal"] = candidate.variant.traversal;
-  json.update(candidate.setup);
-  json["first_dispatch_seconds"] = candidate.firstDispatchSeconds;
+  addSetupFigures(json, candidate.subject.opened());
+  json["device"] = candidate.subject.deviceInfo().name;
+  json["first_dispatch_seconds"] = candidate.subject.firstDispatchSeconds();
   json["error"] = errorJson(candidate.error);
-  json["cpu_seconds"] = repeatsJson(candidate.cpuSeconds);
-  json["seconds"] = repeatsJson(candidate.seconds);
-  if (!candidate.deviceSeconds.empty())
-    json["device_seconds"] = repeatsJson(candidate.deviceSeconds);
+  json["cpu_seconds"] = repeatsJson(candidate.times.cpuSeconds);
+  json["seconds"] = repeatsJson(candidate.times.seconds);
+  if (!candidate.times.deviceSeconds.empty())
+    json["device_seconds"] = repeatsJson(candidate.times.deviceSeconds);
   json["mrays_per_cpu_s"] = mraysPerCpuSecond(candidate);
   json["ratio"] = ratioTo(first, candidate);
-  json["equal"] = areEqual(first.cpuSeconds, candidate.cpuSeconds);
+  json["equal"] = measure::areEqual(first.times.cpuSeconds, candidate.times.cpuSeconds);
   return json;
 }
 

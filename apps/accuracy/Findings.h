@@ -4,6 +4,7 @@
 #include "accuracy/Series.h"
 #include "accuracy/Variant.h"
 
+#include "common/Json.h"
 #include "common/PictureDifference.h"
 
 #include <string>

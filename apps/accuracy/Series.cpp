@@ -111,7 +111,7 @@ std::vector<Ray> raysToVoxels(int log2Side, const std::vector<Int3> &cells, std:
   return rays;
 }
 
-Expected<SeriesPoint> measureResolution(int log2Side, const VariantChoice &choice,
+Expected<SeriesPoint> measureResolution(int log2Side, const VariantChoice &choice, measure::Devices &devices,
                                         const SeriesOptions &options) {
   const Format format = seriesFormat(log2Side);
   std::vector<Int3> cells;
@@ -128,7 +128,7 @@ Expected<SeriesPoint> measureResolution(int log2Side, const VariantChoice &choic
     return oracle.error();
   std::vector<std::unique_ptr<VariantCandidate>> candidates;
   for (const Variant &variant : makeVariants(format, choice)) {
-    Expected<std::unique_ptr<VariantCandidate>> candidate = prepare(variant, built->volume, options.threads);
+    auto candidate = prepare(variant, built->volume, devices, options.threads);
     if (!candidate)
       return candidate.error();
     candidates.push_back(std::move(*candidate));
@@ -160,11 +160,11 @@ distanceSeries(std::span<const std::unique_ptr<VariantCandidate>> candidates, co
   return series;
 }
 
-Expected<std::vector<SeriesPoint>> resolutionSeries(const VariantChoice &choice,
+Expected<std::vector<SeriesPoint>> resolutionSeries(const VariantChoice &choice, measure::Devices &devices,
                                                     const SeriesOptions &options) {
   std::vector<SeriesPoint> series;
   for (int log2Side = kLog2Least; log2Side <= kLog2Most; ++log2Side) {
-    Expected<SeriesPoint> point = measureResolution(log2Side, choice, options);
+    Expected<SeriesPoint> point = measureResolution(log2Side, choice, devices, options);
     if (!point)
       return point.error();
     series.push_back(std::move(*point));

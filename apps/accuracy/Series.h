@@ -35,7 +35,7 @@ distanceSeries(std::span<const std::unique_ptr<VariantCandidate>> candidates, co
 
 /// Volumes of 2^4, 2^5, ... 2^16 voxels an axis in the format "R(3^3) G(n - 3)", each with the same number of
 /// single voxels strewn over it, and rays from the sphere around it to random points of these.
-Expected<std::vector<SeriesPoint>> resolutionSeries(const VariantChoice &choice,
+Expected<std::vector<SeriesPoint>> resolutionSeries(const VariantChoice &choice, measure::Devices &devices,
                                                     const SeriesOptions &options);
 
 } // namespace voxc::tool

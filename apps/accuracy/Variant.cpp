@@ -60,53 +60,30 @@ Variant withLod(const Variant &variant, double pixels) {
 }
 
 Expected<std::unique_ptr<VariantCandidate>> prepare(const Variant &variant, const Volume &volume,
-                                                    unsigned threads, const std::string &order) {
-  auto candidate = std::make_unique<VariantCandidate>();
-  candidate->variant = variant;
-  candidate->tracing.choose(variant.device, threads);
-  candidate->tracing.chooseOrder(order);
-  if (Expected<void> opened = candidate->tracing.openDevice({.quiet = true}); !opened)
-    return opened.error();
-  if (Expected<void> prepared = candidate->tracing.prepare(volume, variant.format, candidate->setup);
-      !prepared)
-    return prepared.error();
-  return candidate;
-}
-
-Expected<void> traceOnce(VariantCandidate &candidate, std::span<const Ray> rays, bool counted,
-                         const Progress &progress) {
-  Json figures;
-  candidate.hits.resize(rays.size());
-  const TraceOptions options{.spread = candidate.spread, .progress = progress.silent()};
-  if (Expected<void> traced = candidate.tracing.trace(rays, candidate.hits, options, figures); !traced)
-    return traced;
-  candidate.order = figures["order"];
-  if (!counted) {
-    candidate.setup["device"] = figures["device"];
-    candidate.firstDispatchSeconds = figures["first_dispatch_seconds"];
-    return {};
-  }
-  candidate.cpuSeconds.push_back(figures["cpu_seconds"]);
-  candidate.seconds.push_back(figures["seconds"]);
-  if (figures.contains("device_seconds"))
-    candidate.deviceSeconds.push_back(figures["device_seconds"]);
-  return {};
+                                                    measure::Devices &devices, unsigned threads,
+                                                    float spread) {
+  const auto device = devices.open(variant.device);
+  if (!device)
+    return device.error();
+  auto subject = measure::Subject::open(volume, variant.format,
+                                        {.device = *device, .threads = threads, .spread = spread});
+  if (!subject)
+    return subject.error();
+  return std::make_unique<VariantCandidate>(VariantCandidate{variant, std::move(*subject), {}, {}});
 }
 
 Expected<void> traceInTurn(std::span<const std::unique_ptr<VariantCandidate>> candidates,
                            std::span<const Ray> rays, unsigned rounds, const Progress &progress) {
-  for (const auto &candidate : candidates) {
-    candidate->cpuSeconds.clear();
-    candidate->seconds.clear();
-    candidate->deviceSeconds.clear();
-  }
+  for (const auto &candidate : candidates)
+    candidate->times = {};
   for (unsigned round = 0; round <= rounds; ++round)
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       const double done = static_cast<double>(round * candidates.size() + i);
       progress.at("trace", done / static_cast<double>((rounds + 1) * candidates.size()), 0);
       if (progress.stopped())
         return Error::interrupted();
-      if (Expected<void> traced = traceOnce(*candidates[i], rays, round > 0, progress); !traced)
+      measure::Times *const times = round > 0 ? &candidates[i]->times : nullptr;
+      if (Expected<void> traced = candidates[i]->subject.trace(rays, times, progress); !traced)
         return traced;
     }
   return {};
@@ -121,15 +98,15 @@ void check(std::span<const std::unique_ptr<VariantCandidate>> candidates, const 
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t at = i * rays.size() / count;
       sampledRays[i] = rays[at];
-      sampledHits[i] = candidate->hits[at];
+      sampledHits[i] = candidate->subject.hits()[at];
     }
     candidate->error = compare(oracle, sampledRays, sampledHits);
   }
 }
 
 double mraysPerCpuSecond(const VariantCandidate &candidate) {
-  const double seconds = median(candidate.cpuSeconds);
-  return seconds > 0 ? static_cast<double>(candidate.hits.size()) / seconds * 1e-6 : 0;
+  const double seconds = measure::median(candidate.times.cpuSeconds);
+  return seconds > 0 ? static_cast<double>(candidate.subject.hits().size()) / seconds * 1e-6 : 0;
 }
 
 double errorsPerMillion(const ErrorFigures &error) {

@@ -1,10 +1,8 @@
 // Variants: one kernel on one device each, whose speeds and errors are compared on the same rays.
 #pragma once
 
-#include "common/Json.h"
-#include "common/OrderOption.h"
-#include "common/Repeats.h"
-#include "tracing/TraceSession.h"
+#include "voxc/IR/Format.h"
+#include "voxc/Measure/Subject.h"
 #include "voxc/Oracle/Oracle.h"
 #include "voxc/Support/Progress.h"
 
@@ -47,28 +45,19 @@ Variant withLod(const Variant &variant, double pixels);
 /// A variant that is ready to trace a volume, and what was found about it.
 struct VariantCandidate {
   Variant variant;
-  TraceSession tracing;
-  float spread = 0; ///< Of the cone, for a variant with lod.
-  Json setup;       ///< The figures of preparing it.
-  std::vector<Hit> hits;
-  Repeats cpuSeconds, seconds, deviceSeconds;
-  double firstDispatchSeconds = 0;
-  std::string order; ///< In which the rays were taken: given or binned.
+  measure::Subject subject;
+  measure::Times times;
   ErrorFigures error;
 };
 
-/// Opens the variant's device and makes its kernel. The volume must outlive the candidate.
-/// Rays will be taken as `order` says, which is what --order may be.
+/// Makes the variant's kernel. Volume and devices must outlive the candidate. `spread` is that of the cone,
+/// for a variant with lod.
 Expected<std::unique_ptr<VariantCandidate>> prepare(const Variant &variant, const Volume &volume,
-                                                    unsigned threads, const std::string &order = kAutoOrder);
+                                                    measure::Devices &devices, unsigned threads,
+                                                    float spread = 0);
 
-/// Traces the rays once. The times are kept if they are `counted`; those of a first run are not. Errors: the
-/// device's; `Interrupted` if it is told to stop meanwhile.
-Expected<void> traceOnce(VariantCandidate &candidate, std::span<const Ray> rays, bool counted,
-                         const Progress &progress = {});
-
-/// Traces the rays by each in turn, `rounds` times over (A B C A B C ...), after a round that is not counted
-/// and leaves the hits; earlier findings are replaced.
+/// Traces the rays by each in turn, `rounds` times over (A B C A B C ...), after a round that is not counted;
+/// earlier findings are replaced. Errors: a device's; `Interrupted`.
 Expected<void> traceInTurn(std::span<const std::unique_ptr<VariantCandidate>> candidates,
                            std::span<const Ray> rays, unsigned rounds, const Progress &progress);
 

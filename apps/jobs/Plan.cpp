@@ -1,5 +1,4 @@
 // voxc plan: cuts the building of a volume into parts of equal predicted cost.
-#include "bench/InputContent.h"
 #include "building/BuildSession.h"
 #include "cluster/BuildPlan.h"
 #include "cluster/CubeCosts.h"
@@ -10,6 +9,7 @@
 #include "options/InputArguments.h"
 #include "options/Outputs.h"
 #include "program/Applications.h"
+#include "voxc/Measure/InputContent.h"
 
 #include <filesystem>
 #include <numeric>
@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 std::string absoluteInput(const std::string &input) {
   if (input.starts_with("builtin:"))
     return input;
-  const std::string path = bench::fileOf(input);
+  const std::string path = measure::fileOf(input);
   return input.substr(0, input.size() - path.size()) + fs::absolute(path).lexically_normal().string();
 }
 
@@ -98,10 +98,10 @@ private:
 
   Expected<void> nameInput(BuildPlan &plan, const InputArguments &arguments) const {
     plan.input = absoluteInput(building_.input());
-    const auto files = bench::contentFiles(plan.input);
+    const auto files = measure::contentFiles(plan.input);
     if (!files)
       return files.error();
-    for (const bench::ContentFile &file : *files) {
+    for (const measure::ContentFile &file : *files) {
       const auto digest = contentDigest(file.path);
       if (!digest)
         return digest.error();

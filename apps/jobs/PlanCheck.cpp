@@ -3,11 +3,11 @@
 
 #include "building/ColourLoss.h"
 #include "cluster/PlanFiles.h"
-#include "common/UserCache.h"
 #include "program/Applications.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Source/Sources.h"
 #include "voxc/Support/File.h"
+#include "voxc/Support/UserCache.h"
 
 #include <filesystem>
 #include <fstream>

@@ -5,8 +5,8 @@
 
 #include "cluster/NumberList.h"
 #include "cluster/PlanFiles.h"
-#include "common/UserCache.h"
 #include "voxc/Construct/Constructor.h"
+#include "voxc/Support/UserCache.h"
 
 namespace voxc::tool {
 

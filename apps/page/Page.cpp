@@ -63,7 +63,7 @@ std::string factsOf(const Volume &volume) {
          fact("Extent", std::to_string(extent.x) + " × " + std::to_string(extent.y) + " × " +
                             std::to_string(extent.z)) +
          fact("Voxels", grouped(info.voxels)) + fact("Memory", bytesText(bytes) + ", " + each) +
-         fact("Made by", tool::versionText());
+         fact("Made by", versionText());
 }
 
 /// What chooses a frame of an animation, and plays it.

@@ -4,32 +4,24 @@
 #include "search/SearchRays.h"
 #include "search/SearchReport.h"
 
-#include "bench/Machine.h"
-#include "choosing/SavedWeights.h"
 #include "common/Files.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
-#include "common/TimeBudget.h"
 #include "jobs/PythonProgram.h"
 #include "options/Outputs.h"
 #include "program/Applications.h"
+#include "voxc/Measure/FormatSearch.h"
+#include "voxc/Measure/Machine.h"
+#include "voxc/Measure/RecordFile.h"
+#include "voxc/Measure/SavedWeights.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 
 namespace voxc::tool {
 
 namespace {
-
-/// Volumes of more than so many times the bytes of the smallest are not looked for.
-constexpr double kSizesOfUse = 64;
-
-/// Of the time that is left when the input was read, that rating formats may take, and simulating rays again,
-constexpr double kExploringShare = 0.25;
-/// and both together at most, whatever the formats are that it begins with: less where few seconds are left.
-constexpr double kMostExploring = 0.6, kLeastExploring = 0.25, kSecondsOfMeasuring = 12;
 
 /// Seconds that the page and the end of the process take, and the share of the budget that they are at most.
 constexpr double kEndSeconds = 1.5, kEndShare = 0.05;
@@ -55,19 +47,18 @@ private:
     return error.kind == ErrorKind::Interrupted && !progress_.stopped();
   }
   Error tooShort(const std::string &meanwhile) const;
-  Explored predict(const Scene &scene, const std::vector<RaySet> &rays, const SpeedModel &model,
-                   std::vector<Candidate> seeds) const;
   Expected<void> search(Scene &scene, Json &figures);
   Expected<void> measureElsewhere(const Explored &explored, const std::vector<Candidate> &seeds,
                                   bench::SweepAxes &axes, Json &figures);
-  Expected<void> measure(Scene &scene, bench::SweepAxes &axes, Explored explored, const SpeedModel &model,
+  measure::FormatSearchOptions searchOptions(const Scene &scene, const bench::SweepAxes &axes,
+                                             Device *device) const;
+  Expected<void> measure(const bench::SweepAxes &axes, measure::FormatSearch &search, Explored explored,
                          Json &figures);
   /// What the verdict is told of.
   struct Told {
     const bench::SweepAxes &axes;
     std::size_t rated; ///< Formats.
-    const Acquisition &acquisition;
-    const SearchLoop &loop;
+    const measure::FormatSearch &search;
   };
   Expected<void> tell(const Told &told, Json &figures);
   void makePage() const;
@@ -77,10 +68,10 @@ private:
   Progress progress_;
   ProgressBar *bar_ = nullptr;
   Stopwatch watch_;
-  TimeBudget budget_; ///< Until what was found has to be told.
+  measure::TimeBudget budget_; ///< Until what was found has to be told.
   std::shared_ptr<WorkingMemory> memory_;
-  std::vector<bench::Record> known_; ///< What earlier searches found.
-  std::string recordsName_ = bench::kResultsName;
+  std::vector<measure::Record> known_; ///< What earlier searches found.
+  std::string recordsName_ = measure::kResultsName;
 };
 
 /// The budget ended before anything was measured.
@@ -96,50 +87,26 @@ Error SearchCommand::tooShort(const std::string &meanwhile) const {
                       std::to_string(std::lround(seconds)) + "s is the least for this input (--budget)");
 }
 
-Explored SearchCommand::predict(const Scene &scene, const std::vector<RaySet> &rays, const SpeedModel &model,
-                                std::vector<Candidate> seeds) const {
-  FormatPredictor predictor(scene.priced());
-  ExploreOptions options = options_.explore;
-  options.seconds = kExploringShare * std::max(budget_.left(), 0.0);
-  Progress progress = bounded();
-  if (!options_.formatList.empty()) {
-    // They and no others: nothing is rewritten, nothing left out.
-    options.mostFormats = seeds.size();
-    options.kept = std::numeric_limits<double>::infinity();
-  } else {
-    const double left = std::max(budget_.left(), 0.0);
-    const double most =
-        std::min(kMostExploring * left, std::max(kLeastExploring * left, left - kSecondsOfMeasuring));
-    progress = budget_.endingAfter(budget_.spent() + most).within(progress_);
-  }
-  if (options_.formatList.empty() && options_.maxLevels > 0) {
-    options.maxLevels = options_.maxLevels;
-    std::erase_if(seeds,
-                  [&](const Candidate &seed) { return seed.format.levels.size() > options.maxLevels; });
-  }
-  return explore(predictor, std::move(seeds), scene.traits, rays, model, options_.wish, options, progress);
-}
-
 Expected<void> SearchCommand::tell(const Told &told, Json &figures) {
-  const auto cells = bench::readRecords(options_.folder);
+  const auto cells = measure::readRecords(options_.folder);
   if (!cells)
     return cells.error();
-  const bench::SearchVerdict verdict = verdictOf(*cells, told.loop, options_.objective());
+  const measure::SearchVerdict verdict = told.search.verdict(*cells);
   const SearchResult result{.input = options_.input,
                             .arguments = options_.inputArguments,
                             .device = told.axes.devices.front().part.name,
                             .rays = namesOf(told.axes.models.front().rays),
                             .rated = told.rated,
-                            .kept = told.acquisition.formats().size(),
+                            .kept = told.search.acquisition()->formats().size(),
                             .seconds = watch_.seconds(),
-                            .acquisition = told.acquisition,
-                            .loop = told.loop,
+                            .acquisition = *told.search.acquisition(),
+                            .loop = *told.search.loop(),
                             .verdict = verdict};
   bar_->clear();
   addSearchFigures(figures, result);
   std::fputs(searchReport(result).c_str(), stdout);
   std::fflush(stdout);
-  if (Expected<void> written = bench::writeVerdict(options_.folder, verdict); !written)
+  if (Expected<void> written = measure::writeVerdict(options_.folder, verdict); !written)
     return written;
   if (!progress_.stopped())
     makePage();
@@ -152,52 +119,61 @@ void SearchCommand::makePage() const {
   if (options_.common.quiet)
     return;
   if (made)
-    printNote("wrote report.html, report.csv and " + std::string(bench::kResultsName) + " in " +
+    printNote("wrote report.html, report.csv and " + std::string(measure::kResultsName) + " in " +
               options_.folder);
   else
-    printNote("wrote " + std::string(bench::kResultsName) + " in " + options_.folder +
+    printNote("wrote " + std::string(measure::kResultsName) + " in " + options_.folder +
               ", but no page: " + made.error().message);
 }
 
-Expected<void> SearchCommand::measure(Scene &scene, bench::SweepAxes &axes, Explored explored,
-                                      const SpeedModel &model, Json &figures) {
-  const auto smallest = std::ranges::min_element(explored.formats, {}, &PredictedFormat::bytes);
-  const double mostBytes = kSizesOfUse * static_cast<double>(smallest->bytes());
-  Acquisition acquisition(std::move(explored.formats), model,
-                          {.mostBytes = mostBytes, .leastSpeed = options_.leastSpeed});
-  auto writer = bench::RecordWriter::open(options_.folder + "/" + recordsName_);
+measure::FormatSearchOptions SearchCommand::searchOptions(const Scene &scene, const bench::SweepAxes &axes,
+                                                          Device *device) const {
+  const bench::Model &model = axes.models.front().model;
+  return {.wish = options_.wish,
+          .leastSpeed = options_.leastSpeed,
+          .onlySeeds = !options_.formatList.empty(),
+          .maxLevels = options_.maxLevels,
+          .measuresAll = options_.all,
+          .measuresAgain = !options_.shares.share(),
+          .explore = options_.explore,
+          .measurement = {.model = bench::partOf(model),
+                          .provenance = scene.provenance,
+                          .precision = options_.precision,
+                          .device = device,
+                          .threads = threadsOf(options_.building),
+                          .check = options_.check,
+                          .maxBytes = options_.wish.maxBytes,
+                          .folder = options_.folder + "/cache",
+                          .madeBy = measure::madeBy(options_.commandText()),
+                          .memory = memory_}};
+}
+
+Expected<void> SearchCommand::measure(const bench::SweepAxes &axes, measure::FormatSearch &search,
+                                      Explored explored, Json &figures) {
+  auto writer = measure::RecordWriter::open(options_.folder + "/" + recordsName_);
   if (!writer)
     return writer.error();
   if (!options_.shares.share())
     if (Expected<void> joined = bench::joinShares(options_.folder, "", *writer); !joined)
       return joined;
-  auto session = MeasurementSession::create(scene, axes,
-                                            {.threads = threadsOf(options_.building),
-                                             .check = options_.check,
-                                             .maxBytes = options_.wish.maxBytes,
-                                             .folder = options_.folder,
-                                             .madeBy = bench::madeBy(options_.commandText())},
-                                            memory_, bounded());
-  if (!session)
-    return isOutOfTime(session.error()) ? tooShort("exact hits were found") : session.error();
+  const std::size_t rated = explored.rated;
+  const auto keep = [&](const measure::Record &record) { return writer->append(record); };
   // What others took for their shares is not of this budget.
-  SearchLoopOptions loopOptions{.budget =
-                                    options_.shares.areElsewhere() ? TimeBudget(options_.budget) : budget_};
-  if (options_.all)
-    loopOptions.leastGain = -1;
-  if (options_.shares.share())
-    loopOptions.lastRounds = 0;
-  SearchLoop loop(acquisition, *session, *writer, loopOptions);
-  loop.takeKnown(known_);
-  Expected<void> measured = loop.run(progress_);
+  const measure::TimeBudget budget =
+      options_.shares.areElsewhere() ? measure::TimeBudget(options_.budget) : budget_;
+  Expected<void> measured = search.measure(std::move(explored), known_, keep, budget, progress_);
+  if (!search.loop())
+    return isOutOfTime(measured.error()) ? tooShort("exact hits were found") : measured.error();
   const bool isInterrupted = !measured && measured.error().kind == ErrorKind::Interrupted;
-  if ((!measured && (!isInterrupted || loop.findings().empty())) || options_.shares.share())
+  const bool hasFound = !search.loop()->findings().empty();
+  if ((!measured && (!isInterrupted || !hasFound)) || options_.shares.share())
     return measured;
-  if (measured && loop.findings().empty())
+  if (measured && !hasFound)
     return tooShort("the first format was built");
-  Expected<void> told = tell({axes, explored.rated, acquisition, loop}, figures);
+  Expected<void> told = tell({axes, rated, search}, figures);
   // The answer stands without what the next search would begin with.
-  if (Expected<void> remembered = keepSpeedModel(axes.devices.front().part.name, acquisition.model());
+  const std::string &device = axes.devices.front().part.name;
+  if (Expected<void> remembered = measure::keepSpeedModel(device, search.acquisition()->model());
       !remembered && !options_.common.quiet)
     printNote("what was learned of the device is not kept: " + remembered.error().message);
   return told ? measured : told;
@@ -205,7 +181,7 @@ Expected<void> SearchCommand::measure(Scene &scene, bench::SweepAxes &axes, Expl
 
 /// Formats that an earlier search came to are rated whatever the budget is, so that none is forgotten.
 void SearchCommand::addKnown(const Scene &scene, std::vector<Candidate> &seeds) const {
-  for (const bench::Record &record : known_)
+  for (const measure::Record &record : known_)
     if (auto candidate = makeCandidate(record.format.name, scene.traits, choicesOf(record.format.passes)))
       if (candidate->passes == record.format.passes)
         seeds.push_back(std::move(*candidate));
@@ -221,7 +197,7 @@ Expected<void> SearchCommand::measureElsewhere(const Explored &explored, const s
       options_.shares, options_.building.threads, {progress_, options_.common.quiet}, figures);
   if (!found)
     return found.error();
-  auto known = bench::readRecords(options_.folder);
+  auto known = measure::readRecords(options_.folder);
   if (!known)
     return known.error();
   known_ = std::move(*known);
@@ -238,7 +214,7 @@ Expected<void> SearchCommand::search(Scene &scene, Json &figures) {
   auto seeds = readCandidates(options_.formatList, scene);
   if (!seeds)
     return seeds.error();
-  auto known = bench::readRecords(options_.folder);
+  auto known = measure::readRecords(options_.folder);
   if (!known)
     return known.error();
   known_ = std::move(*known);
@@ -249,9 +225,15 @@ Expected<void> SearchCommand::search(Scene &scene, Json &figures) {
     recordsName_ = bench::shareFileName(searchDigest(*seeds, *axes), *share);
     keepShare(*seeds, *share);
   }
-  const SpeedModel model = knownSpeedsOf(axes->devices.front().part.name).model;
+  measure::Devices devices;
+  const auto device = devices.open(options_.device);
+  if (!device)
+    return device.error();
+  measure::FormatSearch search(scene, measuredSets(scene, *axes), searchOptions(scene, *axes, *device));
   const Stopwatch exploring;
-  Explored explored = predict(scene, simulatedRays(scene, *axes), model, *seeds);
+  // Others are waited for, however long they take.
+  Explored explored =
+      search.explore(*seeds, options_.shares.areElsewhere() ? measure::TimeBudget() : budget_, progress_);
   figures["explore_seconds"] = exploring.seconds();
   if (progress_.stopped())
     return Error::interrupted();
@@ -263,17 +245,17 @@ Expected<void> SearchCommand::search(Scene &scene, Json &figures) {
     if (!options_.shares.jobs().waits())
       return writeStatistics(options_.common.stats, figures);
   }
-  return measure(scene, *axes, std::move(explored), model, figures);
+  return measure(*axes, search, std::move(explored), figures);
 }
 
 Expected<void> SearchCommand::run() {
   watch_ = {};
   if (Expected<void> usable = options_.read(); !usable)
     return usable;
-  budget_ = TimeBudget(options_.budget - std::min(kEndSeconds, kEndShare * options_.budget));
+  budget_ = measure::TimeBudget(options_.budget - std::min(kEndSeconds, kEndShare * options_.budget));
   if (Expected<void> made = makeOutputFolder(options_.folder + "/cache"); !made)
     return made;
-  bench::disableShaderCaches();
+  measure::disableShaderCaches();
   ProgressBar bar(options_.common.quiet);
   bar_ = &bar;
   progress_ = bar.progress();

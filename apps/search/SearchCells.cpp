@@ -1,8 +1,8 @@
 // Naming and cutting the cells of a search.
 #include "search/SearchCells.h"
 
-#include "bench/Digest.h"
-#include "bench/Machine.h"
+#include "voxc/Measure/Digest.h"
+#include "voxc/Measure/Machine.h"
 
 #include <map>
 #include <utility>
@@ -17,11 +17,11 @@ std::uint64_t shareAt(std::uint64_t place, std::uint64_t places, std::uint64_t c
 
 } // namespace
 
-std::vector<bench::Record> recordsOf(const Candidate &format, bench::SweepAxes &axes,
-                                     const bench::MadeByPart &madeBy) {
+std::vector<measure::Record> recordsOf(const Candidate &format, bench::SweepAxes &axes,
+                                       const measure::MadeByPart &madeBy) {
   auto made = bench::makeFormats({{"", format.text}}, {format.passes});
   axes.formats = made ? std::move(*made) : std::vector<bench::SweepFormat>();
-  std::vector<bench::Record> records;
+  std::vector<measure::Record> records;
   for (bench::Cell &cell : bench::makeCells(axes, madeBy))
     records.push_back(std::move(cell.record));
   return records;
@@ -36,7 +36,7 @@ void keepShare(std::vector<Candidate> &candidates, const bench::Share &share) {
 }
 
 std::string searchDigest(const std::vector<Candidate> &candidates, const bench::SweepAxes &axes) {
-  bench::Digest digest;
+  measure::Digest digest;
   digest.add(bench::sweepDigest({axes.models, {}, axes.precisions, axes.devices}));
   for (const Candidate &candidate : candidates) {
     digest.add(candidate.text);
@@ -55,7 +55,7 @@ bench::SharedCells sharedCells(const std::vector<PredictedFormat> &formats,
     places.emplace(std::pair(candidates[i].text, candidates[i].passes), i);
   for (const PredictedFormat &format : formats) {
     const std::size_t place = places.at({format.candidate.text, format.candidate.passes});
-    for (const bench::Record &record : recordsOf(format.candidate, axes, {})) {
+    for (const measure::Record &record : recordsOf(format.candidate, axes, {})) {
       shared.cells.push_back(record.cell);
       shared.shares.push_back(shareAt(place, candidates.size(), count));
     }

@@ -13,8 +13,8 @@ namespace voxc::tool {
 
 /// The records that a format would have, without figures. The formats of the axes, which have one model with
 /// its rays, one precision and one device, become this one.
-std::vector<bench::Record> recordsOf(const Candidate &format, bench::SweepAxes &axes,
-                                     const bench::MadeByPart &madeBy);
+std::vector<measure::Record> recordsOf(const Candidate &format, bench::SweepAxes &axes,
+                                       const measure::MadeByPart &madeBy);
 
 /// Keeps the candidates of a share alone: a run of them, as long as the others.
 void keepShare(std::vector<Candidate> &candidates, const bench::Share &share);

@@ -1,11 +1,11 @@
 // The options of voxc search.
 #include "search/SearchOptions.h"
 
-#include "bench/Machine.h"
 #include "choosing/ObjectiveOption.h"
 #include "common/ShellWord.h"
 #include "sweep/Model.h"
 #include "voxc/IR/Query.h"
+#include "voxc/Measure/Machine.h"
 
 #include <algorithm>
 #include <map>
@@ -103,7 +103,7 @@ Expected<void> SearchOptions::read() {
   // Several volumes of a batch lie in memory together, on a device too.
   constexpr std::uint64_t kShare = 12;
   if (building.maxBytes.empty())
-    wish.maxBytes = std::min(wish.maxBytes, bench::machineMemory() / kShare);
+    wish.maxBytes = std::min(wish.maxBytes, measure::machineMemory() / kShare);
   fillResolution(inputArguments, input);
   return {};
 }

@@ -2,9 +2,7 @@
 #include "search/SearchRays.h"
 
 #include "sweep/Model.h"
-#include "voxc/Search/SampleRays.h"
-
-#include <algorithm>
+#include "voxc/Measure/FormatSearch.h"
 
 namespace voxc::tool {
 
@@ -21,29 +19,18 @@ Expected<std::vector<bench::RaySet>> measuredRays(const SearchOptions &options, 
   if (!sets || !hasDefaultRays)
     return sets;
   const std::vector<Ray> eye = sets->front().raysFor(scene.extent);
-  std::vector<Ray> bounces = sampleBounces(scene.shape, eye, eye.size(), options.seed);
-  if (!bounces.empty())
-    sets->push_back(bench::makeRaySet("bounced", std::move(bounces), arguments.order));
+  if (auto bounced = measure::bouncedSet(scene, eye, options.seed, rayOrderFrom(arguments.order)))
+    sets->push_back({.part = std::move(bounced->part), .camera = {}, .rays = std::move(bounced->rays)});
   return sets;
 }
 
 } // namespace
 
-std::vector<RaySet> simulatedRays(const Scene &scene, const bench::SweepAxes &axes) {
-  // A tracer of a device that is no processor takes rays as they are given.
-  const bool isProcessor = axes.devices.front().part.clock == "cpu";
-  std::vector<RaySet> sets;
-  for (const bench::RaySet &set : axes.models.front().rays) {
-    RayOrder order = rayOrderFrom(set.part.order.value_or(kAutoOrder));
-    if (order == RayOrder::Auto && (set.camera || !isProcessor))
-      order = RayOrder::Given;
-    const RaySet considered =
-        set.camera && order == RayOrder::Given
-            ? RaySet{set.part.name, sampleCamera(set.camera(scene.extent), kConsideredRays)}
-            : samplePackets(set.part.name, set.raysFor(scene.extent), kConsideredRays,
-                            std::max({scene.extent.x, scene.extent.y, scene.extent.z}), order);
-    sets.push_back(typicalPackets(scene.shape, considered, kSimulatedRays));
-  }
+std::vector<measure::MeasuredSet> measuredSets(const Scene &scene, const bench::SweepAxes &axes) {
+  std::vector<measure::MeasuredSet> sets;
+  for (const bench::RaySet &set : axes.models.front().rays)
+    sets.push_back({set.part, set.raysFor(scene.extent),
+                    set.camera ? std::optional(set.camera(scene.extent)) : std::nullopt});
   return sets;
 }
 

@@ -1,10 +1,11 @@
-// The rays of a search: those that formats are measured by, and some of them to be simulated.
+// The rays that a search measures by.
 #pragma once
 
 #include "search/SearchOptions.h"
 
 #include "choosing/Scene.h"
 #include "sweep/Cells.h"
+#include "voxc/Measure/MeasuredSet.h"
 
 #include <vector>
 
@@ -14,7 +15,7 @@ namespace voxc::tool {
 /// to make the rays again is kept in the cache of the folder. Errors: those of cameras, rays and devices.
 Expected<bench::SweepAxes> makeSearchAxes(const SearchOptions &options, const Scene &scene);
 
-/// Rays that stand for the measured ones, in the order in which the device takes them.
-std::vector<RaySet> simulatedRays(const Scene &scene, const bench::SweepAxes &axes);
+/// The rays of the axes, for a scene.
+std::vector<measure::MeasuredSet> measuredSets(const Scene &scene, const bench::SweepAxes &axes);
 
 } // namespace voxc::tool

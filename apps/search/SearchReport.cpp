@@ -8,15 +8,14 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <map>
 
 namespace voxc::tool {
 
 namespace {
 
-using bench::Finalist;
-using bench::Record;
-using bench::SearchAnswer;
+using measure::Finalist;
+using measure::Record;
+using measure::SearchAnswer;
 
 template <typename... Values> std::string print(const char *format, const Values &...values) {
   std::array<char, 512> text;
@@ -28,7 +27,7 @@ std::string ratioText(const Finalist &finalist) {
   return finalist.predictedRatio > 0 ? print("%.2f", finalist.predictedRatio) : "-";
 }
 
-std::string table(const bench::SearchVerdict &verdict) {
+std::string table(const measure::SearchVerdict &verdict) {
   std::string text = "\n        size  speed" + std::string(35, ' ') + "predicted/measured  format\n";
   for (const Finalist &finalist : verdict.frontier)
     text += print("  %10s  %-39s %18s  ", finalist.sizeText.c_str(), finalist.setSpeedsText.c_str(),
@@ -37,7 +36,7 @@ std::string table(const bench::SearchVerdict &verdict) {
   return text;
 }
 
-std::string answers(const bench::SearchVerdict &verdict) {
+std::string answers(const measure::SearchVerdict &verdict) {
   std::string text;
   for (const SearchAnswer &answer : verdict.answers) {
     const Finalist &finalist = verdict.frontier[answer.finalist];
@@ -49,7 +48,7 @@ std::string answers(const bench::SearchVerdict &verdict) {
 
 /// The predicted format that a finalist is; none if records of another kind lie in the folder.
 const PredictedFormat *formatOf(const SearchResult &result, const Finalist &finalist) {
-  const bench::FormatPart &wanted = finalist.cells.front()->format;
+  const measure::FormatPart &wanted = finalist.cells.front()->format;
   const auto &formats = result.acquisition.formats();
   const auto found = std::ranges::find_if(formats, [&](const PredictedFormat &format) {
     return format.candidate.text == wanted.name && format.candidate.passes == wanted.passes;
@@ -88,11 +87,11 @@ double medianError(const SearchResult &result) {
     if (const auto time = result.acquisition.timeOf(index); time && predicted > 0)
       errors.push_back(std::abs(*time / predicted - 1));
   }
-  return median(errors);
+  return measure::median(errors);
 }
 
 Json answerFigures(const Finalist &finalist) {
-  const bench::FormatPart &format = finalist.cells.front()->format;
+  const measure::FormatPart &format = finalist.cells.front()->format;
   return {{"name", finalist.name},
           {"format", format.name},
           {"passes", format.passes},
@@ -100,7 +99,7 @@ Json answerFigures(const Finalist &finalist) {
           {"mrays_per_s", finalist.mraysPerS}};
 }
 
-Json verdictFigures(const bench::SearchVerdict &verdict) {
+Json verdictFigures(const measure::SearchVerdict &verdict) {
   Json figures{{"formats", verdict.formats}, {"objective", verdict.objective}};
   for (const SearchAnswer &answer : verdict.answers)
     figures[answer.question] = answerFigures(verdict.frontier[answer.finalist]);
@@ -109,22 +108,8 @@ Json verdictFigures(const bench::SearchVerdict &verdict) {
 
 } // namespace
 
-bench::SearchVerdict verdictOf(const std::vector<Record> &cells, const SearchLoop &loop,
-                               const std::string &objective) {
-  std::map<std::string, bool> isCompared; // By cells.
-  for (const auto &[index, finding] : loop.findings())
-    for (const Record &record : finding.records)
-      isCompared[record.cell] = loop.isCompared(index);
-  std::vector<const Record *> own;
-  for (const Record &cell : cells)
-    if (isCompared.contains(cell.cell))
-      own.push_back(&cell);
-  return bench::makeSearchVerdict(
-      own, [&](const Record &cell) { return isCompared.at(cell.cell); }, objective);
-}
-
 std::string searchReport(const SearchResult &result) {
-  const bench::SearchVerdict &verdict = result.verdict;
+  const measure::SearchVerdict &verdict = result.verdict;
   std::string text = print("%zu of %zu formats measured on %s in %.0f s; %llu of %llu checked rays wrong",
                            verdict.formats, result.rated, result.device.c_str(), result.seconds,
                            static_cast<unsigned long long>(verdict.wrongRays),
@@ -143,7 +128,7 @@ std::string searchReport(const SearchResult &result) {
 }
 
 void addSearchFigures(Json &figures, const SearchResult &result) {
-  const bench::SearchVerdict &verdict = result.verdict;
+  const measure::SearchVerdict &verdict = result.verdict;
   figures["rated"] = result.rated;
   figures["kept"] = result.kept;
   figures["measured"] = verdict.formats;

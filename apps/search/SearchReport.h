@@ -1,20 +1,14 @@
 // What voxc search says at the end.
 #pragma once
 
-#include "search/SearchLoop.h"
-
-#include "bench/SearchVerdict.h"
 #include "common/Json.h"
 #include "options/InputArguments.h"
+#include "voxc/Measure/FormatSearch.h"
 
 #include <string>
 #include <vector>
 
 namespace voxc::tool {
-
-/// The verdict on what a search measured; `cells` are the records of its folder, which must outlive it.
-bench::SearchVerdict verdictOf(const std::vector<bench::Record> &cells, const SearchLoop &loop,
-                               const std::string &objective);
 
 struct SearchResult {
   std::string input;
@@ -25,8 +19,8 @@ struct SearchResult {
   std::size_t kept = 0;          ///< and those that came near the frontier.
   double seconds = 0;
   const Acquisition &acquisition;
-  const SearchLoop &loop;
-  const bench::SearchVerdict &verdict;
+  const measure::SearchLoop &loop;
+  const measure::SearchVerdict &verdict;
 };
 
 /// The frontier as a table, a line for each question that one may ask of it, and the command that builds what

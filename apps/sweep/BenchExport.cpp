@@ -2,10 +2,10 @@
 #include "sweep/BenchActions.h"
 #include "sweep/Pack.h"
 
-#include "bench/RecordFile.h"
 #include "common/Statistics.h"
 #include "options/Figures.h"
 #include "options/Outputs.h"
+#include "voxc/Measure/RecordFile.h"
 
 #include <set>
 

@@ -2,10 +2,10 @@
 #include "sweep/BenchActions.h"
 #include "sweep/SampleCheck.h"
 
-#include "bench/RecordFile.h"
 #include "common/Files.h"
 #include "common/Statistics.h"
 #include "options/Figures.h"
+#include "voxc/Measure/RecordFile.h"
 #include "voxc/Support/File.h"
 
 #include <algorithm>

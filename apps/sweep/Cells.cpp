@@ -1,16 +1,16 @@
 // Multiplying the axes of a sweep.
 #include "sweep/Cells.h"
 
-#include "bench/Digest.h"
 #include "tracing/TraceSession.h"
 #include "voxc/IR/Query.h"
+#include "voxc/Measure/Digest.h"
+#include "voxc/Measure/Subject.h"
 #include "voxc/Passes/Pass.h"
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <set>
-#include <thread>
 
 namespace voxc::tool::bench {
 namespace {
@@ -21,12 +21,6 @@ std::string firstMessage(const std::string &text) {
   const std::string line = text.substr(0, text.find('\n'));
   const std::size_t mark = line.find(kMark);
   return mark == std::string::npos ? line : line.substr(mark + kMark.size());
-}
-
-/// As the list has it, unless that is IR text.
-std::string nameOf(const SweepFormat &format) {
-  const bool isIr = format.problem.empty() && format.line.text.starts_with("format");
-  return isIr ? toString(format.format) : format.line.text;
 }
 
 SweepFormat makeFormat(const FormatLine &line, const std::vector<std::string> &passes) {
@@ -42,20 +36,12 @@ SweepFormat makeFormat(const FormatLine &line, const std::vector<std::string> &p
   return result;
 }
 
-ModelPart partOf(const Model &model) {
-  return {model.name, std::filesystem::path(model.input).filename().string(), model.digest, {}, {}, {}};
-}
-
 /// What a format is known by; one that could not be read by its text.
 FormatPart partOf(const SweepFormat &format, const Format &kernelFormat) {
-  const bool isRead = format.problem.empty();
-  return {format.line.label, nameOf(format), format.passes,
-          Digest().add(isRead ? printIr(kernelFormat) : format.line.text).hex()};
-}
-
-std::uint64_t longestAxis(const Format &format) {
-  const Int3 extent = format.extent();
-  return static_cast<std::uint64_t>(std::max({extent.x, extent.y, extent.z}));
+  const FormatLine &line = format.line;
+  return format.problem.empty()
+             ? measure::formatPart(line.label, line.text, format.passes, kernelFormat)
+             : FormatPart{line.label, line.text, format.passes, Digest().add(line.text).hex()};
 }
 
 Cell makeCell(const SweepModel &model, const SweepFormat &format, const RaySet &rays,
@@ -63,7 +49,7 @@ Cell makeCell(const SweepModel &model, const SweepFormat &format, const RaySet &
   Cell cell{{}, &model, &format, &device, &rays, format.format, {}, true, false};
   if (format.problem.empty()) {
     askForPrecision(cell.kernelFormat, precision);
-    cell.record.resolution = longestAxis(format.format);
+    cell.record.resolution = measure::longestAxis(format.format);
   }
   cell.record.model = partOf(model.model);
   cell.record.format = partOf(format, cell.kernelFormat);
@@ -75,6 +61,10 @@ Cell makeCell(const SweepModel &model, const SweepFormat &format, const RaySet &
 }
 
 } // namespace
+
+ModelPart partOf(const Model &model) {
+  return {model.name, std::filesystem::path(model.input).filename().string(), model.digest, {}, {}, {}};
+}
 
 Expected<void> checkFormats(const std::vector<FormatLine> &lines) {
   std::string problems;
@@ -103,22 +93,17 @@ Expected<std::vector<SweepFormat>> makeFormats(const std::vector<FormatLine> &li
 }
 
 Expected<std::vector<SweepDevice>> findDevices(const std::vector<std::string> &names, unsigned threads) {
-  std::vector<SweepDevice> devices;
-  devices.reserve(names.size());
+  limitDeviceThreads(threads);
+  measure::Devices devices;
+  std::vector<SweepDevice> found;
+  found.reserve(names.size());
   for (const std::string &name : names) {
-    TraceSession tracing;
-    tracing.choose(name, threads);
-    if (Expected<void> opened = tracing.openDevice({.quiet = true}); !opened)
-      return opened.error();
-    const DeviceInfo info = tracing.deviceInfo();
-    const bool isProcessor = info.kind == "cpu";
-    DevicePart part{
-        info.name, tracing.isVulkan() ? "vulkan" : "cpu", info.driver, {}, isProcessor ? "cpu" : "gpu"};
-    if (isProcessor)
-      part.threads = threads > 0 ? threads : std::max(std::thread::hardware_concurrency(), 1u);
-    devices.push_back({name, std::move(part)});
+    const auto device = devices.open(name);
+    if (!device)
+      return device.error();
+    found.push_back({name, measure::devicePart(*device, threads)});
   }
-  return devices;
+  return found;
 }
 
 std::vector<SweepDevice> namedDevices(const std::vector<std::string> &names, unsigned threads) {

@@ -4,9 +4,9 @@
 #include "sweep/Model.h"
 #include "sweep/RaySet.h"
 
-#include "bench/FormatList.h"
-#include "bench/Record.h"
 #include "voxc/IR/Format.h"
+#include "voxc/Measure/FormatList.h"
+#include "voxc/Measure/Record.h"
 #include "voxc/Support/Error.h"
 
 #include <optional>
@@ -14,6 +14,8 @@
 #include <vector>
 
 namespace voxc::tool::bench {
+
+using namespace measure;
 
 /// A format of a list with passes run on it.
 struct SweepFormat {
@@ -73,6 +75,9 @@ std::vector<SweepDevice> namedDevices(const std::vector<std::string> &names, uns
 
 /// True if a device of a record is one that `asked` of `namedDevices` stands for.
 bool isMeant(const SweepDevice &asked, const DevicePart &device);
+
+/// How records name a model.
+ModelPart partOf(const Model &model);
 
 /// The cells in the order of models, formats, rays, precisions, devices; of equal ones the first alone. The
 /// axes must outlive them.

@@ -1,9 +1,8 @@
 // Tracing a group.
 #include "sweep/Group.h"
 
-#include "accuracy/Variant.h"
-
 #include "common/Png.h"
+#include "voxc/Measure/Subject.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,12 +16,13 @@ namespace {
 struct Runner {
   Cell *cell;
   std::shared_ptr<const Volume> volume;
-  std::unique_ptr<VariantCandidate> candidate; ///< Null: not prepared.
+  std::optional<Subject> subject; ///< None: not prepared.
+  Times times;
   std::optional<Failure> failure;
   WorkPart work;
   ErrorPart error;
 
-  bool runs() const { return candidate && !failure; }
+  bool runs() const { return subject && !failure; }
   void fail(const char *stage, const Error &error) {
     failure = {stage, error.message, volume ? Count(volume->words().size()) : std::nullopt};
   }
@@ -50,6 +50,7 @@ private:
 
   const GroupRays &rays_;
   const MeasureOptions &options_;
+  Devices devices_; ///< Outlive what is traced on them.
   std::map<std::string, std::shared_ptr<const Volume>> volumes_;
   std::vector<Runner> runners_;
 };
@@ -77,14 +78,16 @@ Expected<void> Group::prepareOne(Runner &runner, const std::string &path) {
   }
   runner.volume = volume;
   const Cell &cell = *runner.cell;
-  auto candidate = tool::prepare({.precision = cell.record.precision,
-                                  .traversal = "",
-                                  .device = cell.device->asked,
-                                  .format = cell.kernelFormat},
-                                 *volume, options_.threads, cell.record.rays.order.value_or(kAutoOrder));
-  if (!candidate)
-    return candidate.error();
-  runner.candidate = std::move(*candidate);
+  const auto device = devices_.open(cell.device->asked);
+  if (!device)
+    return device.error();
+  auto subject = Subject::open(*volume, cell.kernelFormat,
+                               {.device = *device,
+                                .threads = options_.threads,
+                                .order = rayOrderFrom(cell.record.rays.order.value_or(kAutoOrder))});
+  if (!subject)
+    return subject.error();
+  runner.subject = std::move(*subject);
   return {};
 }
 
@@ -103,7 +106,8 @@ Expected<void> Group::traceRounds() {
   for (unsigned round = 0; round <= options_.rounds; ++round)
     for (Runner &runner : runners_) {
       if (runner.runs()) {
-        const auto traced = traceOnce(*runner.candidate, rays_.rays, round > 0, options_.progress);
+        Times *const times = round > 0 ? &runner.times : nullptr;
+        const auto traced = runner.subject->trace(rays_.sampled.rays, times, options_.progress);
         if (auto recorded = recordFailure(runner, "trace", traced); !recorded)
           return recorded;
       }
@@ -113,27 +117,23 @@ Expected<void> Group::traceRounds() {
 }
 
 Expected<void> Group::examineOne(Runner &runner) const {
-  VariantCandidate &candidate = *runner.candidate;
-  runner.work.hits = static_cast<std::uint64_t>(std::ranges::count_if(candidate.hits, &Hit::isHit));
-  const std::size_t count = rays_.sample.size();
-  if (count == 0)
+  Subject &subject = *runner.subject;
+  runner.work.hits = static_cast<std::uint64_t>(std::ranges::count_if(subject.hits(), &Hit::isHit));
+  const std::vector<Ray> &sample = rays_.sampled.sample;
+  if (sample.empty())
     return {};
-  std::vector<Hit> hits(count);
-  for (std::size_t i = 0; i < count; ++i)
-    hits[i] = candidate.hits[i * rays_.rays.size() / count];
   if (rays_.oracle)
-    runner.error = partOf(compare(*rays_.oracle, rays_.sample, rays_.exact, hits));
-  Json ignored;
-  if (auto traced = candidate.tracing.trace(rays_.sample, hits, {.countSteps = true}, ignored); !traced)
-    return traced;
-  runner.work.rays = count;
-  runner.work.stepsPerRay = meanSteps(hits);
-  const Format &format = runner.cell->kernelFormat;
-  if (auto prepared = candidate.tracing.prepareToCountWords(*runner.volume, format); !prepared)
-    return prepared;
-  if (auto traced = candidate.tracing.trace(rays_.sample, hits, {.countWords = true}, ignored); !traced)
-    return traced;
-  runner.work.wordsPerRay = meanSteps(hits);
+    runner.error = errorPart(
+        compare(*rays_.oracle, sample, rays_.sampled.exact, rays_.sampled.sampleOf(subject.hits())));
+  const auto steps = subject.stepsPerRay(sample);
+  if (!steps)
+    return steps.error();
+  const auto words = subject.wordsPerRay(sample);
+  if (!words)
+    return words.error();
+  runner.work.rays = sample.size();
+  runner.work.stepsPerRay = *steps;
+  runner.work.wordsPerRay = *words;
   return {};
 }
 
@@ -152,11 +152,9 @@ void Group::takePicture(const std::string &path, const Camera &camera) {
   if (path.empty() || first == runners_.end())
     return;
   const std::vector<Ray> rays = cameraRays(camera);
-  std::vector<Hit> hits(rays.size());
-  Json ignored;
   // A picture is no finding: a sweep without it is whole.
-  if (first->candidate->tracing.trace(rays, hits, {}, ignored))
-    static_cast<void>(writePng(path, shade(rays, hits, camera.width, camera.height)));
+  if (first->subject->trace(rays, nullptr))
+    static_cast<void>(writePng(path, shade(rays, first->subject->hits(), camera.width, camera.height)));
 }
 
 bool Group::isSteady(const Cell &cell) const {
@@ -167,27 +165,23 @@ bool Group::isSteady(const Cell &cell) const {
   return !before || std::abs(speed->median - before->median) <= options_.steady * before->median;
 }
 
-Figure figureOf(const Json &figures, const char *key) {
-  const auto entry = figures.find(key);
-  return entry != figures.end() && entry->is_number() ? Figure(entry->get<double>()) : std::nullopt;
-}
-
 void Group::record() const {
   for (const Runner &runner : runners_) {
     Record &record = runner.cell->record;
     record.failure = runner.failure;
     if (runner.failure)
       continue;
-    const VariantCandidate &candidate = *runner.candidate;
-    const std::uint64_t count = rays_.rays.size();
-    record.kernel = {figureOf(candidate.setup, "kernel_seconds"), figureOf(candidate.setup, "upload_seconds"),
-                     candidate.firstDispatchSeconds};
+    const Subject &subject = *runner.subject;
+    const Times &times = runner.times;
+    const std::uint64_t count = rays_.sampled.rays.size();
+    record.kernel = {subject.opened().kernelSeconds, subject.opened().uploadSeconds,
+                     subject.firstDispatchSeconds()};
     record.speed = {options_.rounds,
-                    speedOf(count, candidate.seconds),
-                    speedOf(count, candidate.cpuSeconds),
-                    speedOf(count, candidate.deviceSeconds),
+                    speedOf(count, times.seconds),
+                    speedOf(count, times.cpuSeconds),
+                    speedOf(count, times.deviceSeconds),
                     {},
-                    candidate.order};
+                    times.isBinned ? "binned" : "given"};
     record.work = runner.work;
     record.error = runner.error;
     record.speed.steady = isSteady(*runner.cell);
@@ -195,26 +189,6 @@ void Group::record() const {
 }
 
 } // namespace
-
-double meanSteps(std::span<const Hit> hits) {
-  double steps = 0;
-  for (const Hit &hit : hits)
-    steps += hit.steps;
-  return steps / static_cast<double>(hits.size());
-}
-
-ErrorPart partOf(const ErrorFigures &error) {
-  return {error.rays,   error.missed, error.ghost, error.wrong,   error.boundary,
-          error.colour, error.maxDt,  error.rmsDt, error.maxUlpDt};
-}
-
-GroupRays makeGroupRays(std::vector<Ray> rays, std::size_t count) {
-  GroupRays result{.rays = std::move(rays)};
-  const std::size_t sample = std::min(count, result.rays.size());
-  for (std::size_t i = 0; i < sample; ++i)
-    result.sample.push_back(result.rays[i * result.rays.size() / sample]);
-  return result;
-}
 
 std::size_t stepsOf(std::size_t cells, const MeasureOptions &options) {
   // Preparing, the round that warms, and examining are one each.
@@ -228,11 +202,10 @@ Expected<void> measure(std::span<const BuiltCell> builtCells, const GroupRays &r
     return prepared;
   if (auto traced = group.traceRounds(); !traced)
     return traced;
-  // Before words are counted, after which nothing else can be done.
-  group.takePicture(picture, camera);
   if (auto examined = group.examine(); !examined)
     return examined;
   group.record();
+  group.takePicture(picture, camera);
   return {};
 }
 

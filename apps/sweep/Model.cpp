@@ -1,9 +1,9 @@
 // Reading models.
 #include "sweep/Model.h"
 
-#include "bench/Digest.h"
-#include "bench/InputContent.h"
 #include "common/NumberedName.h"
+#include "voxc/Measure/Digest.h"
+#include "voxc/Measure/InputContent.h"
 
 #include <algorithm>
 #include <cctype>
@@ -12,6 +12,9 @@
 #include <string_view>
 
 namespace voxc::tool::bench {
+
+using namespace measure;
+
 namespace {
 
 namespace fs = std::filesystem;

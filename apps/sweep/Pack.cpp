@@ -3,11 +3,11 @@
 
 #include "sweep/SampleCheck.h"
 
-#include "bench/Digest.h"
 #include "common/Files.h"
 #include "options/Outputs.h"
 #include "voxc/IR/Query.h"
 #include "voxc/Kernel/Compile.h"
+#include "voxc/Measure/Digest.h"
 #include "voxc/Passes/Pass.h"
 #include "voxc/Support/EmbeddedFile.h"
 #include "voxc/Support/File.h"

@@ -3,8 +3,8 @@
 
 #include "sweep/RaySet.h"
 
-#include "bench/Record.h"
 #include "voxc/IR/Format.h"
+#include "voxc/Measure/Record.h"
 #include "voxc/Support/Error.h"
 
 #include <cstdint>
@@ -13,6 +13,8 @@
 #include <string_view>
 
 namespace voxc::tool::bench {
+
+using namespace measure;
 
 /// Writes files into pack-001, pack-002, ... of a folder, each of at most so many bytes. A file that does not
 /// fit into what is left of a pack goes on in the next, in pieces whose names sort in order.

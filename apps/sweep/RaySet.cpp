@@ -1,7 +1,6 @@
 // Reading cameras and rays.
 #include "sweep/RaySet.h"
 
-#include "bench/Digest.h"
 #include "common/CameraFile.h"
 #include "common/CameraOptions.h"
 #include "common/Files.h"
@@ -26,14 +25,6 @@ std::optional<std::string> orderOf(const std::string &asked) {
   return asked == kAutoOrder ? std::nullopt : std::optional(asked);
 }
 
-RaySet makeCameraSet(const std::string &name, std::array<int, 2> size, Digest digest) {
-  const std::array<std::uint64_t, 2> pixels{std::uint64_t(size[0]), std::uint64_t(size[1])};
-  digest.add(std::to_string(size[0])).add(std::to_string(size[1]));
-  RaySet set;
-  set.part = {name, "camera", pixels[0] * pixels[1], pixels, digest.hex(), {}};
-  return set;
-}
-
 Expected<std::array<int, 2>> sizeOf(const std::string &text, std::array<int, 2> fallback) {
   return text.empty() ? fallback : parseSize(text);
 }
@@ -50,7 +41,8 @@ Expected<RaySet> readCameraSet(const RayArguments &arguments, const std::string 
   for (const double number :
        {file->position[0], file->position[1], file->position[2], file->pitch, file->yaw, file->fov})
     digest.add(exact(number));
-  RaySet set = makeCameraSet(name, *size, digest);
+  RaySet set;
+  set.part = measure::cameraPart(name, *size, digest);
   set.cameraText = Json{{"cameras",
                          {{"camera",
                            {{"position", {file->position.x, file->position.y, file->position.z}},
@@ -64,17 +56,14 @@ Expected<RaySet> readCameraSet(const RayArguments &arguments, const std::string 
   return set;
 }
 
-RaySet overviewSet(std::array<int, 2> size) {
-  return makeCameraSet(kOverview, size, Digest().add(kOverview));
-}
-
 /// A camera that sees all of a volume.
 Expected<RaySet> makeOverview(const RayArguments &arguments) {
   const Camera defaults;
   const auto size = sizeOf(arguments.size, {defaults.width, defaults.height});
   if (!size)
     return size.error();
-  RaySet set = overviewSet(*size);
+  RaySet set;
+  set.part = measure::overviewPart(*size);
   set.camera = [size = *size](Int3 extent) { return frameExtent(extent, size[0], size[1]); };
   return set;
 }
@@ -102,10 +91,9 @@ Expected<std::vector<std::string>> chooseCameras(const RayArguments &arguments, 
 } // namespace
 
 RaySet makeRaySet(const std::string &name, std::vector<Ray> rays, const std::string &order) {
-  const auto bytes = std::as_bytes(std::span(rays));
   RaySet set;
-  set.part = {name, "file", rays.size(), {}, "", orderOf(order)};
-  set.part.digest = Digest().add({reinterpret_cast<const char *>(bytes.data()), bytes.size()}).hex();
+  set.part = measure::listPart(name, rays);
+  set.part.order = orderOf(order);
   set.rays = std::move(rays);
   return set;
 }
@@ -114,7 +102,7 @@ std::string kindOf(const RaysPart &part) {
   if (part.kind != "camera" || !part.size)
     return "file";
   const std::array<int, 2> size{int((*part.size)[0]), int((*part.size)[1])};
-  return overviewSet(size).part.digest == part.digest ? kOverview : "camera";
+  return measure::overviewPart(size).digest == part.digest ? kOverview : "camera";
 }
 
 std::string rayFileName(const RaysPart &part) {

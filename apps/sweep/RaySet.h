@@ -1,8 +1,8 @@
 // The rays of a sweep: those of cameras, or of files.
 #pragma once
 
-#include "bench/Record.h"
 #include "common/OrderOption.h"
+#include "voxc/Measure/MeasuredSet.h"
 #include "voxc/Support/Geometry.h"
 #include "voxc/Trace/Camera.h"
 #include "voxc/Trace/Ray.h"
@@ -12,6 +12,8 @@
 #include <vector>
 
 namespace voxc::tool::bench {
+
+using namespace measure;
 
 /// Rays that wait for a volume: where a camera stands depends on the volume's extent.
 struct RaySet {

@@ -5,7 +5,8 @@
 #include "sweep/Pack.h"
 #include "sweep/RaySet.h"
 
-#include "bench/Digest.h"
+#include "voxc/Measure/Digest.h"
+#include "voxc/Measure/Subject.h"
 
 namespace voxc::tool::bench {
 namespace {
@@ -34,7 +35,7 @@ Expected<std::vector<Ray>> packedSample(const Record &record, const std::string 
   auto rays = keptRays(record.rays, folder + "/cache", extentOf(record));
   if (!rays)
     return rays;
-  return makeGroupRays(std::move(*rays), kSampleRays).sample;
+  return sampleRays(std::move(*rays), kSampleRays).sample;
 }
 
 Expected<const Oracle *> SampleCheck::oracleOf(const Record &record) {
@@ -73,7 +74,7 @@ Expected<void> SampleCheck::add(Record &record, std::span<const Hit> hits) {
   if (hits.size() != known.rays.size())
     return Error::input("there are " + std::to_string(hits.size()) + " hits of cell " + record.cell +
                         ", but " + std::to_string(known.rays.size()) + " rays in its sample");
-  record.error = partOf(compare(**oracle, known.rays, known.exact, hits));
+  record.error = errorPart(compare(**oracle, known.rays, known.exact, hits));
   record.work.rays = hits.size();
   record.work.stepsPerRay = meanSteps(hits);
   return {};

@@ -1,7 +1,7 @@
 // Hits of a sample of rays that another machine traced, against the exact oracle.
 #pragma once
 
-#include "bench/Record.h"
+#include "voxc/Measure/Record.h"
 #include "voxc/Oracle/Oracle.h"
 #include "voxc/Support/Error.h"
 #include "voxc/Trace/Ray.h"
@@ -12,6 +12,8 @@
 #include <vector>
 
 namespace voxc::tool::bench {
+
+using namespace measure;
 
 /// The rays of the sample that is packed for a record's cell, evenly spread over the cell's rays. Errors:
 /// what was kept of the rays in the cache of `folder` cannot be read (`Input`).

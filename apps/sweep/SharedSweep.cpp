@@ -1,8 +1,8 @@
 // Which shares are left, and what came of them.
 #include "sweep/SharedSweep.h"
 
-#include "bench/Digest.h"
 #include "options/Outputs.h"
+#include "voxc/Measure/Digest.h"
 
 #include <filesystem>
 #include <set>

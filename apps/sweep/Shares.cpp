@@ -1,7 +1,7 @@
 // Cutting a sweep by its volumes, and the files of its shares.
 #include "sweep/Shares.h"
 
-#include "bench/Digest.h"
+#include "voxc/Measure/Digest.h"
 
 #include <algorithm>
 #include <filesystem>

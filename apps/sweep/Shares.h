@@ -3,13 +3,15 @@
 
 #include "sweep/Cells.h"
 
-#include "bench/RecordFile.h"
+#include "voxc/Measure/RecordFile.h"
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace voxc::tool::bench {
+
+using namespace measure;
 
 /// One of `count` shares, from 0 to count - 1.
 struct Share {

@@ -259,18 +259,18 @@ void Sweep::askOracle(const Ready &ready, GroupRays &rays) {
       return;
     known = oracles_.emplace(extent, std::move(*oracle)).first;
   }
-  auto exact = known->second.trace(rays.sample, 0, {.stop = progress_.stop});
+  auto exact = known->second.trace(rays.sampled.sample, 0, {.stop = progress_.stop});
   if (!exact)
     return;
-  rays.exact = std::move(*exact);
+  rays.sampled.exact = std::move(*exact);
   rays.oracle = &known->second;
 }
 
 Expected<void> Sweep::measureAll(const SweepModel &model, Ready &ready) {
-  GroupRays rays = makeGroupRays(ready.rays->raysFor(ready.extent), options_.measure.check);
-  if (!rays.sample.empty())
+  GroupRays rays{sampleRays(ready.rays->raysFor(ready.extent), options_.measure.check)};
+  if (!rays.sampled.sample.empty())
     askOracle(ready, rays);
-  for (const std::span<const BuiltCell> group : groupsOf(ready, rays.rays.size()))
+  for (const std::span<const BuiltCell> group : groupsOf(ready, rays.sampled.rays.size()))
     if (Expected<void> measured = measureGroup(model, ready, group, rays); !measured)
       return measured;
   return {};

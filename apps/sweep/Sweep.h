@@ -5,7 +5,7 @@
 #include "sweep/Group.h"
 #include "sweep/VolumeCache.h"
 
-#include "bench/RecordFile.h"
+#include "voxc/Measure/RecordFile.h"
 #include "voxc/Support/Progress.h"
 
 #include <cstdint>
@@ -16,6 +16,8 @@
 #include <vector>
 
 namespace voxc::tool::bench {
+
+using namespace measure;
 
 struct SweepOptions {
   std::string folder; ///< It is there.

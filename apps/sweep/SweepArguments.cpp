@@ -1,8 +1,8 @@
 // Reading what a sweep is told.
 #include "sweep/SweepArguments.h"
 
-#include "bench/Machine.h"
 #include "voxc/IR/Query.h"
+#include "voxc/Measure/Machine.h"
 
 #include <algorithm>
 #include <cctype>

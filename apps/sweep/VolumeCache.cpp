@@ -3,8 +3,8 @@
 
 #include "jobs/Child.h"
 
-#include "bench/Digest.h"
 #include "common/Files.h"
+#include "voxc/Measure/Digest.h"
 #include "voxc/Support/File.h"
 
 #include <algorithm>

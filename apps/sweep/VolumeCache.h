@@ -3,9 +3,9 @@
 
 #include "sweep/Model.h"
 
-#include "bench/Record.h"
 #include "common/Json.h"
 #include "voxc/IR/Format.h"
+#include "voxc/Measure/Record.h"
 #include "voxc/Support/Error.h"
 #include "voxc/Support/Progress.h"
 
@@ -15,6 +15,8 @@
 #include <vector>
 
 namespace voxc::tool::bench {
+
+using namespace measure;
 
 /// A volume in the cache.
 struct CachedVolume {

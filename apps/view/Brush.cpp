@@ -1,8 +1,8 @@
 // Stamps.
 #include "view/Brush.h"
 
-#include "common/UserCache.h"
 #include "voxc/Construct/Constructor.h"
+#include "voxc/Support/UserCache.h"
 
 #include <algorithm>
 #include <array>
@@ -69,7 +69,7 @@ Expected<std::shared_ptr<const Volume>> copyUnder(const Brush &brush, Int3 at, c
   while (1 << log2Side < brush.side())
     ++log2Side;
   auto constructor =
-      Constructor::compile(*parseFormat("G(" + std::to_string(log2Side) + ")"), tool::compileCache());
+      Constructor::compile(*parseFormat("G(" + std::to_string(log2Side) + ")"), compileCache());
   if (!constructor)
     return constructor.error();
   auto built = constructor->build(*source);

@@ -1,7 +1,7 @@
 // States of an edited volume.
 #include "view/Sculpture.h"
 
-#include "common/UserCache.h"
+#include "voxc/Support/UserCache.h"
 #include "voxc/Volume/Frames.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ Expected<void> Sculpture::prepare() {
   if (edited_)
     return {};
   // Strokes are few beside the scene: to go through all of it would keep the first one waiting.
-  auto edited = EditableVolume::create(*first_, {.cache = tool::compileCache(), .shareWithFirst = false});
+  auto edited = EditableVolume::create(*first_, {.cache = compileCache(), .shareWithFirst = false});
   if (!edited)
     return edited.error();
   edited_.emplace(std::move(*edited));

@@ -1,8 +1,8 @@
 // Records to points.
 #include "view/SearchPoints.h"
 
-#include "bench/RecordFile.h"
 #include "view/FormatText.h"
+#include "voxc/Measure/RecordFile.h"
 
 #include <algorithm>
 #include <map>
@@ -11,7 +11,7 @@
 namespace voxc::view {
 namespace {
 
-using tool::bench::Record;
+using measure::Record;
 
 /// The times of one format.
 struct Times {
@@ -20,8 +20,8 @@ struct Times {
 };
 
 bool isMeasured(const Record &record) {
-  return record.isMeasured() && record.volume.bytes && tool::bench::speedOf(record) &&
-         tool::bench::speedOf(record)->median > 0;
+  return record.isMeasured() && record.volume.bytes && measure::speedOf(record) &&
+         measure::speedOf(record)->median > 0;
 }
 
 bool areComparable(const Record &a, const Record &b) {
@@ -80,7 +80,7 @@ SearchPoints makeSearchPoints(std::span<const Record> records) {
       continue;
     Times &times = formats[spelledText(formatText(record.format.name, record.format.passes))];
     times.bytes = double(*record.volume.bytes);
-    times.secondsPerMray[record.rays.digest] = 1 / tool::bench::speedOf(record)->median;
+    times.secondsPerMray[record.rays.digest] = 1 / measure::speedOf(record)->median;
     sets = std::max(sets, times.secondsPerMray.size());
   }
   for (const auto &[text, times] : formats)
@@ -91,7 +91,7 @@ SearchPoints makeSearchPoints(std::span<const Record> records) {
 }
 
 Expected<SearchPoints> readSearchPoints(const std::string &folder) {
-  const auto records = tool::bench::readRecords(folder);
+  const auto records = measure::readRecords(folder);
   if (!records)
     return records.error();
   SearchPoints points = makeSearchPoints(*records);

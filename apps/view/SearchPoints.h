@@ -1,7 +1,7 @@
 // What a search or a sweep measured, as points of size and speed that the viewer can load.
 #pragma once
 
-#include "bench/Record.h"
+#include "voxc/Measure/Record.h"
 #include "voxc/Support/Error.h"
 
 #include <optional>
@@ -35,6 +35,6 @@ struct SearchPoints {
 /// Reads the records of a folder of `voxc search` or `voxc bench`. Errors: those of reading; no record that
 /// was measured.
 Expected<SearchPoints> readSearchPoints(const std::string &folder);
-SearchPoints makeSearchPoints(std::span<const tool::bench::Record> records);
+SearchPoints makeSearchPoints(std::span<const measure::Record> records);
 
 } // namespace voxc::view

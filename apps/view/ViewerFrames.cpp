@@ -1,16 +1,16 @@
 // What the viewer does with the frames of an animation, and saving what is to be seen.
 #include "view/Viewer.h"
 
-#include "common/UserCache.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Source/Sources.h"
+#include "voxc/Support/UserCache.h"
 
 namespace voxc::view {
 namespace {
 
 /// The file that a build of the voxels makes.
 Expected<void> buildFile(const std::shared_ptr<const Volume> &volume, const std::string &path) {
-  const auto constructor = Constructor::compile(volume->format(), tool::compileCache());
+  const auto constructor = Constructor::compile(volume->format(), compileCache());
   if (!constructor)
     return constructor.error();
   BuildOptions options;

@@ -2,7 +2,6 @@
 #include "viewing/SceneSource.h"
 
 #include "choosing/Suggestion.h"
-#include "common/UserCache.h"
 #include "frontend/FormatArgument.h"
 #include "options/FrameInputs.h"
 #include "tracing/TraceSession.h"
@@ -12,6 +11,7 @@
 #include "voxc/IR/Attribute.h"
 #include "voxc/IR/Query.h"
 #include "voxc/Layout/Edits.h"
+#include "voxc/Support/UserCache.h"
 #include "voxc/Volume/Frames.h"
 
 #include <algorithm>
@@ -158,7 +158,7 @@ Expected<view::Model> SceneSource::suggestModel(const CommonOptions &common, con
   const Expected<Suggestion> suggestion = makeSuggestion(request, quietly, progress, figures);
   if (!suggestion)
     return suggestion.error();
-  const Candidate &candidate = suggestion->rated[*suggestion->choice].candidate;
+  const Candidate &candidate = suggestion->rated[suggestion->choice].candidate;
   return buildModel(view::formatText(candidate.text, candidate.passes), progress);
 }
 

@@ -129,6 +129,74 @@ VOXC_API voxc_error *voxc_build_input(const voxc_format *format, const char *inp
                                       const voxc_input_options *input_options,
                                       const voxc_build_options *options, voxc_volume **volume);
 
+/* Choosing a format. */
+
+/* What is asked of formats. */
+typedef struct voxc_choice_options {
+  size_t struct_size;
+  /* "balanced" (null): twice the speed is worth four times the bytes; "fastest" or "smallest". */
+  const char *objective;
+  uint64_t max_bytes;    /* Of a volume's words; 0: what references can reach. */
+  const char *device;    /* That will trace: its name, or part of it. Null: "cpu" of voxc_suggest, the best
+                          * of voxc_search. */
+  const char *precision; /* Of a search: "exact" (null) or "fast". */
+  const char *const *formats; /* Those to choose from, */
+  size_t format_count;        /* so many; 0: those that voxc knows, and of a search what it makes of them. */
+  const voxc_ray *rays;       /* Rays that will be traced, */
+  uint64_t ray_count;         /* 8 at least; 0: those of a camera that sees everything, and bounced ones. */
+  int editable;               /* Of voxc_suggest: 1 for formats whose volumes can be edited in place. */
+  double seconds;             /* That a search may take; 0: 180. */
+  unsigned threads;           /* That build, and of "cpu"; 0: all of the machine. */
+  uint64_t memory_bytes;      /* As voxc_build_options. */
+  const voxc_progress *progress; /* Null: none. */
+} voxc_choice_options;
+#define VOXC_CHOICE_OPTIONS {.struct_size = sizeof(voxc_choice_options)}
+
+/* Formats with their sizes and speeds, one a row. */
+typedef struct voxc_format_table voxc_format_table;
+
+/* Predicts what formats take and how fast they are, and builds none. Input and its options are those of
+ * voxc_build_input, with a resolution of 512 by default. Errors: those of inputs; a text that is no format;
+ * no format that takes so few bytes. */
+VOXC_API voxc_error *voxc_suggest(const char *input, const voxc_input_options *input_options,
+                                  const voxc_choice_options *options, voxc_format_table **table);
+/* Builds and measures those formats that promise most, for so many seconds. What it learns of the device is
+ * kept in the user's cache. Errors also: the time is too short for one format; there is no such device. */
+VOXC_API voxc_error *voxc_search(const char *input, const voxc_input_options *input_options,
+                                 const voxc_choice_options *options, voxc_format_table **table);
+VOXC_API void voxc_format_table_free(voxc_format_table *table);
+
+/* How many rows there are, how many voxels the scene has, and how many sets of rays with which names. */
+VOXC_API size_t voxc_format_table_rows(const voxc_format_table *table);
+VOXC_API uint64_t voxc_format_table_voxels(const voxc_format_table *table);
+VOXC_API size_t voxc_format_table_sets(const voxc_format_table *table);
+VOXC_API const char *voxc_format_table_set(const voxc_format_table *table, size_t set);
+
+/* A row. Its texts belong to the table. */
+typedef struct voxc_format_row {
+  const char *format;  /* As voxc_format_parse takes it, */
+  const char *passes;  /* with these, which have commas between. */
+  uint64_t bytes;      /* Of its words. */
+  int exact;           /* 1: not one more, not one less; what was measured is exact. */
+  int frontier;        /* 1: no other row is as small and as fast, or better. */
+  int chosen;          /* 1: what the objective asks for. */
+  const char *failure; /* Of a search: why it has no speeds; null: it has. */
+} voxc_format_row;
+VOXC_API void voxc_format_table_row(const voxc_format_table *table, size_t row, voxc_format_row *values);
+
+/* The speed of a row on a set of rays, in rays a second: of one core where a processor traces, of the device
+ * else. What was not measured, or not predicted, is 0. */
+typedef struct voxc_format_speed {
+  double predicted;
+  double measured;         /* The median of several rounds, */
+  double slowest, fastest; /* and the least and the most of them. */
+  uint64_t checked_rays;   /* Of which the oracle was asked, */
+  uint64_t wrong_rays;     /* those with another hit, */
+  double max_ulp;          /* and how far t is from the exact one at most, in units of its last place. */
+} voxc_format_speed;
+VOXC_API void voxc_format_table_speed(const voxc_format_table *table, size_t row, size_t set,
+                                      voxc_format_speed *speed);
+
 /* Editing. */
 
 /* A volume that changes (docs/edits.md). One thread at a time edits it. */

@@ -1,10 +1,9 @@
 // Building volumes in C.
 #include "C/BuildOptions.h"
+#include "C/CallersInput.h"
 #include "C/FormatHandle.h"
 #include "Source/GridExtent.h"
-#include "voxc/Components/Components.h"
 #include "voxc/IR/Attribute.h"
-#include "voxc/Input/Arguments.h"
 #include "voxc/Source/Sources.h"
 
 #include <algorithm>
@@ -69,41 +68,6 @@ Expected<std::vector<CodedVoxel>> sorted(const std::int32_t *places, const std::
   return voxels;
 }
 
-/// So many numbers; none of null.
-std::vector<double> numbersOf(const double *numbers, std::size_t count) {
-  return numbers ? std::vector<double>(numbers, numbers + count) : std::vector<double>();
-}
-
-/// As a command line would have them.
-InputArguments argumentsOf(const voxc_input_options &read) {
-  InputArguments arguments;
-  arguments.resolution = read.resolution;
-  arguments.voxelSize = textOr(read.voxel_size, "");
-  arguments.unit = textOr(read.unit, "");
-  arguments.align = numbersOf(read.align, 3);
-  arguments.bounds = numbersOf(read.bounds, 6);
-  arguments.up = read.z_up > 0 ? "z" : read.z_up < 0 ? "y" : "";
-  arguments.coverage = textOr(read.coverage, "");
-  arguments.colour = textOr(read.colour, "");
-  if (read.threshold)
-    arguments.threshold = *read.threshold;
-  arguments.colourMap = textOr(read.colour_map, "");
-  arguments.window = numbersOf(read.window, 2);
-  arguments.volume = read.volume;
-  arguments.grid = textOr(read.grid, "");
-  arguments.interior = textOr(read.interior, "");
-  arguments.fillColour = textOr(read.fill_colour, "");
-  arguments.crop = read.crop != 0;
-  return arguments;
-}
-
-void tell(const std::vector<std::string> &sentences, void (*function)(void *user, const char *sentence),
-          void *user) {
-  if (function)
-    for (const std::string &sentence : sentences)
-      function(user, sentence.c_str());
-}
-
 } // namespace
 
 voxc_error *voxc_build_grid(const voxc_format *format, const uint32_t *words, const int32_t extent[3],
@@ -155,30 +119,20 @@ voxc_error *voxc_build_input(const voxc_format *format, const char *input,
     const voxc_build_options given = optionsOf(options);
     const voxc_input_options read = optionsOf(input_options);
     const CallersProgress progress(given.progress);
-    InputArguments arguments = argumentsOf(read);
-    if (auto checked = checkInputValues(arguments); !checked)
-      return wrap(checked);
-    if (auto checked = checkInputArguments(arguments, input); !checked)
-      return wrap(checked);
-    if (hasLabels(format->format) && arguments.colourMap.empty())
-      arguments.colourMap = "labels";
-    InputOptions choices = inputOptionsOf(arguments, format->format.extent());
-    choices.otherKinds = componentInputs();
-    choices.threads = given.threads;
-    choices.memory = memoryOf(given);
-    choices.progress = progress.get();
-    Expected<Input> opened = openInput(input, choices);
+    Expected<CallersInput> asked = CallersInput::of(input, read);
+    if (!asked)
+      return wrap(asked.error());
+    if (hasLabels(format->format) && asked->arguments().colourMap.empty())
+      asked->arguments().colourMap = "labels";
+    const auto memory = memoryOf(given);
+    Expected<Input> opened = asked->open(format->format.extent(), given.threads, memory, progress.get());
     if (!opened)
       return wrap(opened.error());
-    const voxc_input_report report = read.report ? *read.report : voxc_input_report();
-    tell(opened->warnings, report.warning, report.user);
-    tell(opened->notes, report.note, report.user);
     voxc_error *const error =
-        build(format, *opened->source, given, choices.memory, progress.get(), opened->provenance, volume);
+        build(format, *opened->source, given, memory, progress.get(), opened->provenance, volume);
     if (!error && (*volume)->volume->info().voxels == 0)
-      tell({"the volume is empty: the input has no voxel" +
-            std::string(read.bounds ? " within --bounds" : "")},
-           report.warning, report.user);
+      asked->warn("the volume is empty: the input has no voxel" +
+                  std::string(read.bounds ? " within --bounds" : ""));
     return error;
   });
 }

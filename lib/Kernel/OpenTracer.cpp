@@ -2,7 +2,8 @@
 #include "voxc/Kernel/OpenTracer.h"
 
 #include "voxc/Kernel/Compile.h"
-#include "voxc/Kernel/CompileCpu.h"
+#include "voxc/Plan/Plan.h"
+#include "voxc/Support/Stopwatch.h"
 
 #include <utility>
 
@@ -30,46 +31,114 @@ private:
   std::unique_ptr<Tracer> tracer_;
 };
 
-Expected<std::unique_ptr<Tracer>> openOnCpu(const Volume &volume, const Format &format,
-                                            const TracerChoice &choice) {
-  const Expected<CpuKernel> kernel = compileCpuKernel(
-      format, {.countWords = choice.countWords, .cache = choice.cache, .start = choice.start});
-  if (!kernel)
-    return kernel.error();
-  return createCpuTracer(*kernel, volume, choice.threads);
+const Format &formatOf(const Volume &volume, const TracerChoice &choice) {
+  return choice.format ? *choice.format : volume.format();
 }
 
-Expected<std::unique_ptr<Tracer>> openOn(Device &device, const Volume &volume, const Format &format,
-                                         const TracerChoice &choice) {
-  const Expected<Kernel> kernel = compileKernel(format, {.addressing = device.addressingFor(volume),
-                                                         .loops = device.info().loops,
-                                                         .arithmetic = device.info().arithmetic,
-                                                         .optimise = choice.optimise,
-                                                         .cache = choice.cache});
+Expected<CpuKernel> compileForCpu(const Format &format, Addressing addressing, const TracerChoice &choice) {
+  return compileCpuKernel(format, {.countWords = choice.countWords,
+                                   .cache = choice.cache,
+                                   .addressing = addressing,
+                                   .start = choice.start});
+}
+
+Expected<Kernel> compileFor(const DeviceInfo &device, const Format &format, Addressing addressing,
+                            const TracerChoice &choice) {
+  return compileKernel(format, {.addressing = addressing,
+                                .loops = device.loops,
+                                .arithmetic = choice.arithmetic.value_or(device.arithmetic),
+                                .optimise = choice.optimise,
+                                .cache = choice.cache});
+}
+
+/// Compiles by `compile`, makes a tracer of the kernel by `make`, and takes both times.
+template <typename SomeTracer>
+Expected<OpenedTracer<SomeTracer>> timed(const auto &compile, const auto &make) {
+  OpenedTracer<SomeTracer> opened;
+  const Stopwatch compiling;
+  const auto kernel = compile();
   if (!kernel)
     return kernel.error();
-  return createTracer(device, *kernel, volume, choice.threads);
+  opened.kernelSeconds = compiling.seconds();
+  const Stopwatch making;
+  Expected<std::unique_ptr<SomeTracer>> tracer = make(*kernel);
+  if (!tracer)
+    return tracer.error();
+  opened.tracer = std::move(*tracer);
+  opened.uploadSeconds = making.seconds();
+  return opened;
+}
+
+/// What does not hold on this processor, which reads the volume where it lies.
+template <typename SomeTracer>
+Expected<OpenedTracer<SomeTracer>> withoutUpload(Expected<OpenedTracer<SomeTracer>> opened) {
+  if (opened)
+    opened->uploadSeconds.reset();
+  return opened;
+}
+
+template <typename SomeTracer>
+Expected<OpenedTracer<SomeTracer>> addressedBy(Addressing addressing,
+                                               Expected<OpenedTracer<SomeTracer>> opened) {
+  if (opened)
+    opened->addressing = addressing;
+  return opened;
 }
 
 } // namespace
 
+Expected<OpenedTracer<Tracer>> openTracerOn(const Volume &volume, const TracerChoice &choice) {
+  const Format &format = formatOf(volume, choice);
+  Device *const device = choice.openDevice;
+  if (!device)
+    return withoutUpload(timed<Tracer>(
+        [&] { return compileForCpu(format, Addressing::Buffer, choice); },
+        [&](const CpuKernel &kernel) { return createCpuTracer(kernel, volume, choice.threads); }));
+  const Addressing addressing = device->addressingFor(volume);
+  return addressedBy(addressing,
+                     timed<Tracer>([&] { return compileFor(device->info(), format, addressing, choice); },
+                                   [&](const Kernel &kernel) {
+                                     return createTracer(*device, kernel, volume, choice.threads);
+                                   }));
+}
+
+Expected<OpenedTracer<PagedTracer>> openTracerOn(const PagedVolume &volume, const Format &format,
+                                                 const TracerChoice &choice, const PagingOptions &options) {
+  if (Expected<void> suits = checkPaging(format); !suits)
+    return suits.error();
+  Device *const device = choice.openDevice;
+  constexpr Addressing kPaged = Addressing::Paged;
+  if (!device)
+    return withoutUpload(timed<PagedTracer>(
+        [&] { return compileForCpu(format, kPaged, choice); },
+        [&](const CpuKernel &kernel) { return createPagedCpuTracer(kernel, volume, options); }));
+  // Pages come later: there is nothing to upload.
+  return addressedBy(kPaged, withoutUpload(timed<PagedTracer>(
+                                 [&] { return compileFor(device->info(), format, kPaged, choice); },
+                                 [&](const Kernel &kernel) {
+                                   return createPagedTracer(*device, kernel, volume, options);
+                                 })));
+}
+
 Expected<std::unique_ptr<Tracer>> openTracer(const Volume &volume, const TracerChoice &choice) {
-  const Format &format = choice.format ? *choice.format : volume.format();
-  if (choice.openDevice)
-    return openOn(*choice.openDevice, volume, format, choice);
-  if (choice.device == cpuDeviceInfo().name)
-    return openOnCpu(volume, format, choice);
-  Expected<Device> opened = Device::open(choice.device);
-  if (!opened && choice.device.empty())
-    return openOnCpu(volume, format, choice);
+  TracerChoice chosen = choice;
+  std::unique_ptr<Device> device;
+  if (!choice.openDevice && choice.device != cpuDeviceInfo().name) {
+    Expected<Device> opened = Device::open(choice.device);
+    if (!opened && !choice.device.empty())
+      return opened.error();
+    if (opened) {
+      device = std::make_unique<Device>(std::move(*opened));
+      device->useCache(choice.cache);
+      chosen.openDevice = device.get();
+    }
+  }
+  auto opened = openTracerOn(volume, chosen);
   if (!opened)
     return opened.error();
-  auto device = std::make_unique<Device>(std::move(*opened));
-  device->useCache(choice.cache);
-  auto tracer = openOn(*device, volume, format, choice);
-  if (!tracer)
-    return tracer;
-  return std::unique_ptr<Tracer>(new OwningTracer(std::move(device), std::move(*tracer)));
+  if (!device)
+    return std::move(opened->tracer);
+  return std::unique_ptr<Tracer>(new OwningTracer(std::move(device), std::move(opened->tracer)));
 }
 
 } // namespace voxc

@@ -14,13 +14,12 @@ from __future__ import annotations
 from ._errors import Error, InputError, MachineError, UsageError
 from ._library import lib as _lib
 from .building import build
+from .choosing import search, suggest
 from .editable import Editable
 from .format import Format
 from .page import Page
 from .picture import Picture, save_picture
 from .points import Points, load_npz
-from .search import search
-from .suggest import suggest
 from .told import InputWarning
 from .tracer import BOUNDED_RAY, HIT, RAY, Tracer, devices, normals
 from .volume import Volume

@@ -63,6 +63,23 @@ class InputOptions(ctypes.Structure):
                 ("report", POINTER(InputReport))]
 
 
+class ChoiceOptions(ctypes.Structure):
+    _fields_ = [("struct_size", c_size_t), ("objective", c_char_p), ("max_bytes", c_uint64), ("device", c_char_p),
+                ("precision", c_char_p), ("formats", POINTER(c_char_p)), ("format_count", c_size_t), ("rays", c_void_p),
+                ("ray_count", c_uint64), ("editable", c_int), ("seconds", c_double), ("threads", c_uint),
+                ("memory_bytes", c_uint64), ("progress", POINTER(Progress))]
+
+
+class FormatRow(ctypes.Structure):
+    _fields_ = [("format", c_char_p), ("passes", c_char_p), ("bytes", c_uint64), ("exact", c_int), ("frontier", c_int),
+                ("chosen", c_int), ("failure", c_char_p)]
+
+
+class FormatSpeed(ctypes.Structure):
+    _fields_ = [("predicted", c_double), ("measured", c_double), ("slowest", c_double), ("fastest", c_double),
+                ("checked_rays", c_uint64), ("wrong_rays", c_uint64), ("max_ulp", c_double)]
+
+
 class PictureOptions(ctypes.Structure):
     _fields_ = [("struct_size", c_size_t), ("width", c_int32), ("height", c_int32), ("style", c_char_p),
                 ("view", c_char_p), ("eye", POINTER(c_double)), ("look", POINTER(c_double)),
@@ -116,6 +133,15 @@ FUNCTIONS = {
     "voxc_build_source": (c_void_p, [c_void_p, POINTER(Source), POINTER(BuildOptions), POINTER(c_void_p)]),
     "voxc_build_input": (c_void_p, [c_void_p, c_char_p, POINTER(InputOptions), POINTER(BuildOptions),
                                     POINTER(c_void_p)]),
+    "voxc_suggest": (c_void_p, [c_char_p, POINTER(InputOptions), POINTER(ChoiceOptions), POINTER(c_void_p)]),
+    "voxc_search": (c_void_p, [c_char_p, POINTER(InputOptions), POINTER(ChoiceOptions), POINTER(c_void_p)]),
+    "voxc_format_table_free": (None, [c_void_p]),
+    "voxc_format_table_rows": (c_size_t, [c_void_p]),
+    "voxc_format_table_voxels": (c_uint64, [c_void_p]),
+    "voxc_format_table_sets": (c_size_t, [c_void_p]),
+    "voxc_format_table_set": (c_char_p, [c_void_p, c_size_t]),
+    "voxc_format_table_row": (None, [c_void_p, c_size_t, POINTER(FormatRow)]),
+    "voxc_format_table_speed": (None, [c_void_p, c_size_t, c_size_t, POINTER(FormatSpeed)]),
     "voxc_editable_create": (c_void_p, [c_void_p, POINTER(c_void_p)]),
     "voxc_editable_free": (None, [c_void_p]),
     "voxc_editable_set_box": (c_void_p, [c_void_p, POINTER(c_int32), POINTER(c_int32), c_uint32]),

@@ -3,16 +3,10 @@ from __future__ import annotations
 
 import os
 import subprocess
-from typing import Any, Callable, Dict, List, Optional
+from typing import Any, Callable, List, Optional
 
 from ._errors import error_of
 from ._library import installed
-
-
-def words_of(options: Dict[str, Any]) -> List[str]:
-    """Options as the program takes them: max_bytes="64MiB" as --max-bytes=64MiB. True is an option without a value, and False and None are none."""
-    return ["--" + name.replace("_", "-") + ("" if value is True else f"={value}")
-            for name, value in options.items() if value is not None and value is not False]
 
 
 def run(arguments: List[str], program: Optional[str] = None, said: Callable[[str], Any] = lambda text: None) -> None:

@@ -79,7 +79,7 @@ def build(format: Union[str, Format], input: Union[str, os.PathLike, None] = Non
     result = Volume(volume, told)
     last = ctypes.byref(options), ctypes.byref(volume)
     if input is not None:
-        read = _input(told, threshold=threshold, window=window, **input_options)
+        read = input_options_of(told, threshold=threshold, window=window, **input_options)
         try:
             reporter.call(c.lib.voxc_build_input, made._handle, c.text(input), ctypes.byref(read), *last)
         finally:
@@ -116,7 +116,7 @@ def _grid(voxels, labels, greys, densities, threshold, window):
     return arrays.greys_of(greys) if greys is not None else arrays.densities_of(densities, threshold, window)
 
 
-def _input(told, resolution=None, volume=None, z_up=None, threshold=None, crop=None, align=None, bounds=None, window=None,
+def input_options_of(told, resolution=None, volume=None, z_up=None, threshold=None, crop=None, align=None, bounds=None, window=None,
            voxel_size=None, **texts):
     least = None if threshold is None else ctypes.pointer(ctypes.c_double(threshold))
     up = None if z_up is None else 1 if z_up else -1

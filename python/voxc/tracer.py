@@ -68,6 +68,18 @@ def _rays(origins: Any, directions: Any, tmin: Any, tmax: Any) -> np.ndarray:
     return rays
 
 
+def rays_as_given(given: Any) -> np.ndarray:
+    """Rays without bounds: an array of RAY, or a pair of origins and directions."""
+    pair = tuple(given) if isinstance(given, (tuple, list)) else (given, None)
+    if len(pair) != 2:
+        raise ValueError("rays are a pair of origins and directions, or an array of voxc.RAY")
+    origins, directions = pair
+    rays = _rays(origins, directions, None, None)
+    if rays.dtype != RAY:
+        raise ValueError("these rays have no bounds: an array of voxc.RAY")
+    return rays.reshape(-1)
+
+
 def _point(given: Any, what: str) -> Any:
     """A point as three doubles; None stays None."""
     if given is None:

@@ -8,8 +8,6 @@
 #include "Process.h"
 #include "Signature.h"
 
-#include "voxc/Support/Version.h"
-
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -123,13 +121,5 @@ void printError(const Error &error) {
 }
 
 void printNote(std::string_view text) { std::cerr << signature() << ": " << text << '\n'; }
-
-std::string versionText() {
-  const int numbers[] = {VOXC_VERSION_MAJOR, VOXC_VERSION_MINOR, VOXC_VERSION_PATCH};
-  std::string text = "voxc ";
-  for (const int number : numbers)
-    text += (text.ends_with(' ') ? "" : ".") + std::to_string(number);
-  return text;
-}
 
 } // namespace voxc::tool

@@ -3,6 +3,7 @@
 
 #include "CommandLine.h"
 #include "voxc/Support/Error.h"
+#include "voxc/Support/Version.h"
 
 #include <functional>
 #include <string>
@@ -31,8 +32,5 @@ void printError(const Error &error);
 
 /// Prints a note or warning to standard error: "voxc: TEXT".
 void printNote(std::string_view text);
-
-/// "voxc 0.1.0".
-std::string versionText();
 
 } // namespace voxc::tool

@@ -2,9 +2,9 @@
 #include "TraceCosts.h"
 
 #include "common/RayFile.h"
-#include "common/UserCache.h"
 #include "voxc/Kernel/OpenTracer.h"
 #include "voxc/Support/File.h"
+#include "voxc/Support/UserCache.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -51,7 +51,7 @@ Expected<void> compareTraces(EditableVolume &edited, const std::string &path, co
     const Volume &traced = &side == sides ? *volume : built->volume;
     auto tracer = openTracer(traced, {.device = device,
                                       .threads = 1,
-                                      .cache = tool::compileCache(),
+                                      .cache = compileCache(),
                                       .optimise = true,
                                       .start = CpuStart::Whole});
     if (!tracer)

@@ -6,9 +6,9 @@
 
 #include "common/Command.h"
 #include "common/CommandLine.h"
-#include "common/UserCache.h"
 #include "voxc/Construct/EditableVolume.h"
 #include "voxc/Support/Stopwatch.h"
+#include "voxc/Support/UserCache.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -119,7 +119,7 @@ Expected<void> measure(const Options &options) {
     pasted = std::make_shared<const Volume>(std::move(*loaded));
   }
   const Stopwatch watch;
-  auto edited = EditableVolume::create(*volume, {.cache = tool::compileCache()});
+  auto edited = EditableVolume::create(*volume, {.cache = compileCache()});
   if (!edited)
     return edited.error();
   std::printf("made editable in %.3f s, of which %.3f compiling\n", watch.seconds(),

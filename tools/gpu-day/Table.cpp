@@ -1,10 +1,11 @@
 // Tables of figures.
 #include "Table.h"
 
-#include "bench/Digest.h"
-#include "bench/RecordFile.h"
 #include "common/Command.h"
 #include "common/Files.h"
+#include "common/Json.h"
+#include "voxc/Measure/Digest.h"
+#include "voxc/Measure/RecordFile.h"
 #include "voxc/Support/File.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using tool::Json;
-using namespace tool::bench;
+using namespace measure;
 
 /// What is told of a format in a table: rows of two dispatches, as tracers run them, in groups of 64.
 bool isOfTables(const Json &row) { return row.value("dispatches", 2) == 2 && row.value("group", 64) == 64; }
@@ -60,7 +61,7 @@ Record recordOf(const Json &cell, const std::string &precision, const Json &row)
   record.error.wrong = error.at("wrong").get<std::uint64_t>();
   record.error.colour = error.at("colour").get<std::uint64_t>();
   record.error.maxUlpDt = error.at("max_ulp_dt").get<double>();
-  record.madeBy = {tool::versionText(), "none", "not known", {}, "voxc-gpu-day"};
+  record.madeBy = {versionText(), "none", "not known", {}, "voxc-gpu-day"};
   record.cell = cellDigest(record);
   return record;
 }
@@ -157,7 +158,7 @@ void Day::addCell(const Json &cell) {
     }
     for (const Json &row : kernel["rows"])
       if (isOfTables(row))
-        records_ += toJson(recordOf(cell, kind, row)).dump() + "\n";
+        records_ += toLine(recordOf(cell, kind, row)) + "\n";
     tables_.try_emplace(cell["scene"], cell["scene"]).first->second.add(cell, kind, kernel["rows"]);
   }
   all_["cells"].push_back(cell);

@@ -2,9 +2,9 @@
 #include "options/VolumeArgument.h"
 
 #include "common/Interrupt.h"
-#include "common/UserCache.h"
 #include "voxc/Construct/EditJournal.h"
 #include "voxc/Input/NumberedPaths.h"
+#include "voxc/Support/UserCache.h"
 
 #include <filesystem>
 #include <limits>

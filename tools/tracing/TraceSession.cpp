@@ -3,8 +3,6 @@
 
 #include "common/OrderOption.h"
 #include "common/Statistics.h"
-#include "voxc/Kernel/Compile.h"
-#include "voxc/Kernel/CompileCpu.h"
 
 #include <cstdlib>
 
@@ -15,6 +13,12 @@ namespace {
 constexpr std::uint64_t kManyRays = 1 << 18;
 
 } // namespace
+
+void limitDeviceThreads(unsigned threads) {
+  // Lavapipe takes its number of threads from here alone, once, when it is loaded.
+  if (threads > 0)
+    ::setenv("LP_NUM_THREADS", std::to_string(threads).c_str(), 1);
+}
 
 void TraceSession::declare(const CommandLine &command) {
   const OptionGroup group(command, "Device");
@@ -47,9 +51,7 @@ void TraceSession::choose(const std::string &device, unsigned threads) {
 Expected<void> TraceSession::openDevice(const CommonOptions &common) {
   if (deviceName_ == cpuDeviceInfo().name)
     return {};
-  // Lavapipe takes its number of threads from here alone, once, when it is loaded.
-  if (threads_ > 0)
-    ::setenv("LP_NUM_THREADS", std::to_string(threads_).c_str(), 1);
+  limitDeviceThreads(threads_);
   Expected<Device> device = Device::open(deviceName_);
   if (!device && deviceName_.empty()) {
     if (!common.quiet)
@@ -67,60 +69,26 @@ void TraceSession::expectRays(std::uint64_t rays) {
   start_ = rays < kManyRays ? CpuStart::Soon : CpuStart::Fast;
 }
 
+TracerChoice TraceSession::choice() const {
+  TracerChoice choice{.openDevice = device_.get(),
+                      .threads = threads_,
+                      .cache = cache_,
+                      .optimise = optimise_,
+                      .start = start_};
+  if (!arithmetic_.empty())
+    choice.arithmetic = fromString<Arithmetic>(arithmetic_);
+  return choice;
+}
+
 Expected<void> TraceSession::prepare(const Volume &volume, const Format &format, Json &figures) {
-  auto tracer = device_ ? makeVulkanTracer(volume, format, figures) : makeCpuTracer(volume, format, figures);
-  if (!tracer)
-    return tracer.error();
-  tracer_ = std::move(*tracer);
+  TracerChoice choice = this->choice();
+  choice.format = format;
+  auto opened = openTracerOn(volume, choice);
+  if (!opened)
+    return opened.error();
+  addSetupFigures(figures, *opened);
+  tracer_ = std::move(opened->tracer);
   return {};
-}
-
-Arithmetic TraceSession::arithmetic() const {
-  return arithmetic_.empty() ? device_->info().arithmetic : *fromString<Arithmetic>(arithmetic_);
-}
-
-Expected<std::unique_ptr<Tracer>> TraceSession::makeCpuTracer(const Volume &volume, const Format &format,
-                                                              Json &figures) {
-  const Stopwatch watch;
-  const Expected<CpuKernel> kernel = compileCpuKernel(format, {.cache = cache_, .start = start_});
-  if (!kernel)
-    return kernel.error();
-  figures["kernel_seconds"] = watch.seconds();
-  return createCpuTracer(*kernel, volume, threads_);
-}
-
-Expected<void> TraceSession::prepareToCountWords(const Volume &volume, const Format &format) {
-  if (device_)
-    return {};
-  const Expected<CpuKernel> kernel =
-      compileCpuKernel(format, {.countWords = true, .cache = cache_, .start = start_});
-  if (!kernel)
-    return kernel.error();
-  auto tracer = createCpuTracer(*kernel, volume, threads_);
-  if (!tracer)
-    return tracer.error();
-  tracer_ = std::move(*tracer);
-  return {};
-}
-
-Expected<std::unique_ptr<Tracer>> TraceSession::makeVulkanTracer(const Volume &volume, const Format &format,
-                                                                 Json &figures) {
-  const Stopwatch watch;
-  const Addressing addressing = device_->addressingFor(volume);
-  Expected<Kernel> kernel = compileKernel(format, {.addressing = addressing,
-                                                   .loops = device_->info().loops,
-                                                   .arithmetic = arithmetic(),
-                                                   .optimise = optimise_,
-                                                   .cache = cache_});
-  if (!kernel)
-    return kernel.error();
-  figures["kernel_seconds"] = watch.seconds();
-  figures["addressing"] = toString(addressing);
-
-  const Stopwatch upload;
-  Expected<std::unique_ptr<Tracer>> tracer = createTracer(*device_, *kernel, volume, threads_);
-  figures["upload_seconds"] = upload.seconds();
-  return tracer;
 }
 
 Expected<TraceReport> TraceSession::trace(const RaySpan &rays, std::span<Hit> hits,

@@ -4,12 +4,9 @@
 #include "common/Command.h"
 #include "common/CommandLine.h"
 #include "common/Json.h"
-#include "common/UserCache.h"
 #include "voxc/IR/Format.h"
-#include "voxc/Kernel/CompileCpu.h"
-#include "voxc/Trace/CpuKernel.h"
-#include "voxc/Trace/PagedTracer.h"
-#include "voxc/Trace/Tracer.h"
+#include "voxc/Kernel/OpenTracer.h"
+#include "voxc/Support/UserCache.h"
 
 #include <memory>
 #include <optional>
@@ -17,6 +14,19 @@
 #include <string>
 
 namespace voxc::tool {
+
+/// Adds what it took to make a tracer.
+template <typename SomeTracer> void addSetupFigures(Json &figures, const OpenedTracer<SomeTracer> &opened) {
+  figures["kernel_seconds"] = opened.kernelSeconds;
+  if (opened.addressing)
+    figures["addressing"] = toString(*opened.addressing);
+  if (opened.uploadSeconds)
+    figures["upload_seconds"] = *opened.uploadSeconds;
+}
+
+/// Has devices of Vulkan's that are this processor compute by so many threads; 0: as they choose. Before the
+/// first is opened.
+void limitDeviceThreads(unsigned threads);
 
 class TraceSession {
 public:
@@ -60,10 +70,6 @@ public:
     return tracer_->follow(after, changed);
   }
 
-  /// Makes the prepared tracer count words read where that takes another kernel; from then on it traces with
-  /// `TraceOptions::countWords` alone. `volume` and `format` are those of `prepare`.
-  Expected<void> prepareToCountWords(const Volume &volume, const Format &format);
-
   /// The open device.
   DeviceInfo deviceInfo() const { return device_ ? device_->info() : cpuDeviceInfo(); }
   /// Whether it is one of Vulkan's.
@@ -73,17 +79,8 @@ public:
   unsigned threads() const { return threads_; }
 
 private:
-  /// What kernels for the open device rely on.
-  Arithmetic arithmetic() const;
-  Expected<std::unique_ptr<Tracer>> makeCpuTracer(const Volume &volume, const Format &format, Json &figures);
-  Expected<std::unique_ptr<Tracer>> makeVulkanTracer(const Volume &volume, const Format &format,
-                                                     Json &figures);
-
-  Expected<std::unique_ptr<PagedTracer>> makePagedCpuTracer(const PagedVolume &volume, const Format &format,
-                                                            const PagingOptions &options, Json &figures);
-  Expected<std::unique_ptr<PagedTracer>> makePagedVulkanTracer(const PagedVolume &volume,
-                                                               const Format &format,
-                                                               const PagingOptions &options, Json &figures);
+  /// The open device, and what the options say of the kernel.
+  TracerChoice choice() const;
 
   std::string deviceName_;
   unsigned threads_ = 0; ///< 0: the device's own choice.

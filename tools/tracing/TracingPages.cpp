@@ -1,10 +1,6 @@
 // Tracing volumes of which only some pages are on the device.
 #include "tracing/TraceSession.h"
 
-#include "voxc/Kernel/Compile.h"
-#include "voxc/Kernel/CompileCpu.h"
-#include "voxc/Support/Stopwatch.h"
-
 #include <algorithm>
 
 namespace voxc::tool {
@@ -12,45 +8,13 @@ namespace voxc::tool {
 Expected<void> TraceSession::preparePages(const PagedVolume &volume, const Format &format,
                                           PagingOptions options, Json &figures) {
   options.threads = threads_;
-  if (Expected<void> suits = checkPaging(format); !suits)
-    return suits;
-  auto tracer = device_ ? makePagedVulkanTracer(volume, format, options, figures)
-                        : makePagedCpuTracer(volume, format, options, figures);
-  if (!tracer)
-    return tracer.error();
-  paged_ = tracer->get();
-  tracer_ = std::move(*tracer);
+  auto opened = openTracerOn(volume, format, choice(), options);
+  if (!opened)
+    return opened.error();
+  addSetupFigures(figures, *opened);
+  paged_ = opened->tracer.get();
+  tracer_ = std::move(opened->tracer);
   return {};
-}
-
-Expected<std::unique_ptr<PagedTracer>> TraceSession::makePagedCpuTracer(const PagedVolume &volume,
-                                                                        const Format &format,
-                                                                        const PagingOptions &options,
-                                                                        Json &figures) {
-  const Stopwatch watch;
-  const Expected<CpuKernel> kernel =
-      compileCpuKernel(format, {.cache = cache_, .addressing = Addressing::Paged, .start = start_});
-  if (!kernel)
-    return kernel.error();
-  figures["kernel_seconds"] = watch.seconds();
-  return createPagedCpuTracer(*kernel, volume, options);
-}
-
-Expected<std::unique_ptr<PagedTracer>> TraceSession::makePagedVulkanTracer(const PagedVolume &volume,
-                                                                           const Format &format,
-                                                                           const PagingOptions &options,
-                                                                           Json &figures) {
-  const Stopwatch watch;
-  const Expected<Kernel> kernel = compileKernel(format, {.addressing = Addressing::Paged,
-                                                         .loops = device_->info().loops,
-                                                         .arithmetic = arithmetic(),
-                                                         .optimise = optimise_,
-                                                         .cache = cache_});
-  if (!kernel)
-    return kernel.error();
-  figures["kernel_seconds"] = watch.seconds();
-  figures["addressing"] = toString(Addressing::Paged);
-  return createPagedTracer(*device_, *kernel, volume, options);
 }
 
 std::optional<PagingReport> TraceSession::paging() const {

@@ -11,7 +11,7 @@ namespace voxc::view {
 namespace {
 
 using ::testing::ElementsAre;
-using tool::bench::Record;
+using measure::Record;
 
 Record record(const std::string &format, std::uint64_t bytes, double mraysPerS, const std::string &set = "a",
               std::vector<std::string> passes = {}) {
@@ -24,7 +24,7 @@ Record record(const std::string &format, std::uint64_t bytes, double mraysPerS, 
   result.device = {"cpu", "cpu", "", 2, "cpu"};
   result.rays.digest = set;
   result.volume.bytes = bytes;
-  result.speed.mraysPerCpuS = tool::bench::Speed{mraysPerS, mraysPerS, mraysPerS, 0};
+  result.speed.mraysPerCpuS = measure::Speed{mraysPerS, mraysPerS, mraysPerS, 0};
   return result;
 }
 
@@ -70,7 +70,7 @@ TEST(SearchPoints, TakeTheMeanTimeOverAllSetsOfRays) {
 
 TEST(SearchPoints, LeaveOutFailuresAndWhatCannotBeCompared) {
   Record failed = record("G(7)", 100, 1), other = record("G(8)", 100, 1), fast = record("G(9)", 100, 1);
-  failed.failure = tool::bench::Failure{"build", "no", {}};
+  failed.failure = measure::Failure{"build", "no", {}};
   other.device.name = "llvmpipe";
   fast.precision = "fast";
   const SearchPoints search = makeSearchPoints(std::vector{failed, record("G(5)", 300, 5), other, fast});

@@ -4,6 +4,7 @@
 
 #include "voxc/Search/FormatPredictor.h"
 #include "voxc/Search/Frontier.h"
+#include "voxc/Support/EnumText.h"
 
 #include <cstdint>
 #include <optional>
@@ -22,6 +23,10 @@ struct Wish {
   Objective objective = Objective::Balanced;
   std::uint64_t maxBytes = ~std::uint64_t{0};
 };
+
+template <>
+inline constexpr std::array<std::string_view, 3> kEnumNames<Wish::Objective> = {"balanced", "fastest",
+                                                                                "smallest"};
 
 /// Prices the candidates and simulates the rays on them. Those that are larger than the wish allows, or than
 /// their references reach, are left out. Error: interrupted.

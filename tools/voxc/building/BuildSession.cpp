@@ -4,13 +4,13 @@
 #include "choosing/BuildCommand.h"
 #include "choosing/Suggestion.h"
 #include "common/Statistics.h"
-#include "common/UserCache.h"
 #include "frontend/FormatArgument.h"
 #include "options/Figures.h"
 #include "options/FrameInputs.h"
 #include "voxc/Construct/Frames.h"
 #include "voxc/Facts/PointerChoice.h"
 #include "voxc/Layout/Layout.h"
+#include "voxc/Support/UserCache.h"
 #include "voxc/Volume/Frames.h"
 
 #include <algorithm>
@@ -91,7 +91,7 @@ Expected<Format> BuildSession::suggestFormat(const std::string &device, const Co
   if (!suggestion)
     return suggestion.error();
   figures["choose_seconds"] = watch.seconds();
-  const Candidate &candidate = suggestion->rated[*suggestion->choice].candidate;
+  const Candidate &candidate = suggestion->rated[suggestion->choice].candidate;
   inputArguments_ = suggestion->arguments;
   told_ = std::move(suggestion->told);
   format_ = candidate.text;

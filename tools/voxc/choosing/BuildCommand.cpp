@@ -1,12 +1,14 @@
 // Candidates in words.
 #include "choosing/BuildCommand.h"
 
-#include "bench/SearchVerdict.h"
 #include "common/ShellWord.h"
+#include "voxc/Measure/SearchVerdict.h"
 
 namespace voxc::tool {
 
-std::string nameOf(const Candidate &candidate) { return bench::plainName(candidate.text, candidate.passes); }
+std::string nameOf(const Candidate &candidate) {
+  return measure::plainName(candidate.text, candidate.passes);
+}
 
 std::string searchCommand(const std::string &input, const InputArguments &arguments,
                           const std::string &device) {

@@ -3,7 +3,7 @@
 
 #include "choosing/BuildCommand.h"
 #include "choosing/PredictionFigures.h"
-#include "choosing/SavedWeights.h"
+#include "voxc/Measure/SavedWeights.h"
 
 #include <algorithm>
 #include <array>
@@ -70,14 +70,14 @@ std::string trustIn(const Suggestion &suggestion) {
     return "speeds are predicted by what a search measured on this machine\n";
   return print("speeds are predicted from another machine's, and were up to %.1f times off\n  to measure on "
                "this machine: ",
-               kWorstUnmeasured) +
+               measure::kWorstUnmeasured) +
          searchCommand(suggestion.input, suggestion.arguments, suggestion.device) + "\n";
 }
 
 } // namespace
 
 std::string suggestReport(const Suggestion &suggestion, bool all) {
-  const PredictedFormat &choice = suggestion.rated[*suggestion.choice];
+  const PredictedFormat &choice = suggestion.rated[suggestion.choice];
   const auto fastest = std::ranges::min_element(suggestion.rated, {}, &PredictedFormat::time);
   const auto smallest = std::ranges::min_element(suggestion.rated, {}, &PredictedFormat::bytes);
   std::string text = nameOf(choice.candidate) + "\n";
@@ -107,7 +107,7 @@ void addSuggestFigures(Json &figures, const Suggestion &suggestion) {
   for (std::size_t i = 0; i < suggestion.rated.size(); ++i) {
     Json entry = predictionFigures(suggestion.rated[i], suggestion.rays);
     entry["frontier"] = bool(frontier[i]);
-    entry["chosen"] = i == *suggestion.choice;
+    entry["chosen"] = i == suggestion.choice;
     formats.push_back(std::move(entry));
   }
   figures["formats"] = std::move(formats);

@@ -1,9 +1,8 @@
-// Suggesting a format.
+// Suggesting a format for an input.
 #include "choosing/Suggestion.h"
 
-#include "choosing/SavedWeights.h"
-
 #include "common/Files.h"
+#include "voxc/Measure/SavedWeights.h"
 #include "voxc/Search/SampleRays.h"
 #include "voxc/Support/Stopwatch.h"
 
@@ -13,32 +12,18 @@ namespace voxc::tool {
 
 namespace {
 
-/// A picture in which neighbours are as close as in one of the default size, and packets lie everywhere.
-constexpr int kWidth = 1280;
-constexpr int kHeight = 720;
-/// Rays that bounce, of which some are simulated: as many as make bins of neighbours.
-constexpr std::size_t kBounces = std::size_t{1} << 17;
-
-Expected<std::vector<RaySet>> makeRays(const SuggestRequest &request, const Scene &scene) {
+Expected<std::vector<RaySet>> readRaySets(const std::vector<std::string> &paths, const Scene &scene) {
+  const int longestEdge = std::max({scene.extent.x, scene.extent.y, scene.extent.z});
   std::vector<RaySet> sets;
-  const int edge = std::max({scene.extent.x, scene.extent.y, scene.extent.z});
-  for (const std::string &path : request.rayFiles) {
+  for (const std::string &path : paths) {
     Expected<std::vector<Ray>> rays = readRays(path);
     if (!rays)
       return rays.error();
     if (rays->size() < kSimulatedPacket)
       return Error::input("'" + path + "' has " + std::to_string(rays->size()) + " rays; " +
                           std::to_string(kSimulatedPacket) + " or more show what a packet costs");
-    sets.push_back(samplePackets(path, std::move(*rays), kConsideredRays, edge, RayOrder::Auto));
+    sets.push_back(samplePackets(path, std::move(*rays), kConsideredRays, longestEdge, RayOrder::Auto));
   }
-  if (sets.empty()) {
-    sets.push_back({"camera", sampleCamera(frameExtent(scene.extent, kWidth, kHeight), kConsideredRays)});
-    std::vector<Ray> bounces = sampleBounces(scene.shape, sets.front().rays, kBounces, 1);
-    if (!bounces.empty()) // Something is seen.
-      sets.push_back(samplePackets("bounced", std::move(bounces), kConsideredRays, edge, RayOrder::Auto));
-  }
-  for (RaySet &set : sets)
-    set = typicalPackets(scene.shape, set, kSimulatedRays);
   return sets;
 }
 
@@ -46,40 +31,29 @@ Expected<std::vector<RaySet>> makeRays(const SuggestRequest &request, const Scen
 
 Expected<Suggestion> makeSuggestion(const SuggestRequest &request, const CommonOptions &common,
                                     const Progress &progress, Json &figures) {
-  Suggestion suggestion{
-      .input = request.input, .arguments = request.arguments, .device = request.device, .wish = request.wish};
-  fillResolution(suggestion.arguments, request.input);
-  Expected<Scene> scene =
-      readScene(request.input, suggestion.arguments, request.memory, common, progress, figures);
+  InputArguments arguments = request.arguments;
+  fillResolution(arguments, request.input);
+  Expected<Scene> scene = readScene(request.input, arguments, request.memory, common, progress, figures);
   if (!scene)
     return scene.error();
   scene->traits.editable = request.editable;
   Expected<std::vector<Candidate>> candidates = readCandidates(request.formatList, *scene);
   if (!candidates)
     return candidates.error();
-  Expected<std::vector<RaySet>> rays = makeRays(request, *scene);
+  Expected<std::vector<RaySet>> rays = readRaySets(request.rayFiles, *scene);
   if (!rays)
     return rays.error();
   noteOtherSizes(*candidates, *scene, common);
-  const Error none = explainNone(*candidates, *scene);
+  const measure::KnownSpeeds speeds = measure::knownSpeedsOf(request.device);
   const Stopwatch watch;
-  for (const RaySet &set : *rays)
-    suggestion.rays.push_back(set.name);
-  suggestion.told = scene->told;
-  suggestion.voxels = scene->voxels;
-  suggestion.valueWords = scene->valueWords;
-  const KnownSpeeds speeds = knownSpeedsOf(request.device);
-  suggestion.areSpeedsMeasured = speeds.isMeasured;
-  auto rated =
-      predictFormats(scene->priced(), std::move(*candidates), *rays, speeds.model, request.wish, progress);
+  auto suggested = suggestFormat(
+      *scene, {.wish = request.wish, .candidates = std::move(*candidates), .rays = std::move(*rays)},
+      speeds.model, progress);
   figures["rate_seconds"] = watch.seconds();
-  if (!rated)
-    return rated.error();
-  suggestion.rated = std::move(*rated);
-  suggestion.choice = choose(suggestion.rated, request.wish);
-  if (!suggestion.choice)
-    return none;
-  return suggestion;
+  if (!suggested)
+    return suggested.error();
+  return Suggestion{std::move(*suggested),  request.input, std::move(arguments), request.device,
+                    std::move(scene->told), scene->voxels, scene->valueWords,    speeds.isMeasured};
 }
 
 } // namespace voxc::tool

@@ -3,7 +3,7 @@
 
 #include "choosing/Scene.h"
 
-#include "voxc/Search/Suggest.h"
+#include "voxc/Search/SuggestFormat.h"
 
 #include <cstdint>
 #include <memory>
@@ -24,17 +24,13 @@ struct SuggestRequest {
   std::shared_ptr<WorkingMemory> memory;
 };
 
-struct Suggestion {
+struct Suggestion : FormatSuggestion {
   std::string input;
   InputArguments arguments; ///< As they are looked at.
   std::string device;
-  Wish wish;
   ToldSentences told; ///< Of the input.
   std::uint64_t voxels = 0;
-  std::uint64_t valueWords = 0;  ///< Of values apart.
-  std::vector<std::string> rays; ///< Names of the sets.
-  std::vector<PredictedFormat> rated;
-  std::optional<std::size_t> choice;
+  std::uint64_t valueWords = 0;   ///< Of values apart.
   bool areSpeedsMeasured = false; ///< The model of speeds is of this machine, by a search.
 };
 

@@ -1,9 +1,9 @@
 // voxc cache: what is kept of kernels and construction code that were compiled before.
 #include "common/Json.h"
 #include "common/Statistics.h"
-#include "common/UserCache.h"
 #include "options/Figures.h"
 #include "program/Subcommand.h"
+#include "voxc/Support/UserCache.h"
 
 #include <cstdio>
 

@@ -2,7 +2,6 @@
 #include "voxc/Source/Edit.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
-#include "common/UserCache.h"
 #include "options/BuildArguments.h"
 #include "options/BuildFigures.h"
 #include "options/Figures.h"
@@ -13,6 +12,7 @@
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Construct/EditJournal.h"
 #include "voxc/Support/Stopwatch.h"
+#include "voxc/Support/UserCache.h"
 
 #include <array>
 #include <charconv>

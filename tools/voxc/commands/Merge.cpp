@@ -1,12 +1,12 @@
 // voxc merge: joins the fragments of a volume.
 #include "common/Statistics.h"
 #include "common/Terminal.h"
-#include "common/UserCache.h"
 #include "options/BuildFigures.h"
 #include "options/Figures.h"
 #include "options/Outputs.h"
 #include "program/Applications.h"
 #include "voxc/Construct/Constructor.h"
+#include "voxc/Support/UserCache.h"
 
 namespace voxc::tool {
 

@@ -1,8 +1,8 @@
 // What the processor and the devices are.
 #include "doctor/Checks.h"
 
-#include "bench/Machine.h"
 #include "common/Command.h"
+#include "voxc/Measure/Machine.h"
 #include "voxc/Trace/CpuKernel.h"
 #include "voxc/Trace/Tracer.h"
 
@@ -69,9 +69,9 @@ Check checkDevice(const DeviceInfo &device) {
 } // namespace
 
 std::vector<Check> checkProcessor() {
-  const bench::MadeByPart machine = bench::madeBy("");
+  const measure::MadeByPart machine = measure::madeBy("");
   const std::string extensions = vectorExtensions();
-  const double memory = static_cast<double>(bench::machineMemory()) / kGibibyte;
+  const double memory = static_cast<double>(measure::machineMemory()) / kGibibyte;
   const bool isLittle = memory < kLittleMemory;
   return {{"processor", Check::State::Good,
            machine.processor + ", " + std::to_string(machine.cores.value_or(1)) + " threads" +

@@ -1,11 +1,11 @@
 // Where voxc keeps things, and what stands beside it.
 #include "doctor/Checks.h"
 
-#include "bench/Machine.h"
 #include "common/Command.h"
-#include "common/UserCache.h"
 #include "program/Applications.h"
 #include "voxc/Components/Components.h"
+#include "voxc/Measure/Machine.h"
+#include "voxc/Support/UserCache.h"
 
 #include <array>
 #include <cstdio>
@@ -132,8 +132,9 @@ std::vector<Check> checkBuild() {
           : Check{"assimp", Check::State::Missing,
                   "not built in: .fbx, .dae, .3ds, .off and .x3d are not read",
                   "build with -DVOXC_ASSIMP=ON where assimp is installed, or convert such meshes to .glb"};
-  return {
-      {"voxc", Check::State::Good, versionText() + ", LLVM " + bench::madeBy("").llvm, ""}, openVdb, assimp};
+  return {{"voxc", Check::State::Good, versionText() + ", LLVM " + measure::madeBy("").llvm, ""},
+          openVdb,
+          assimp};
 }
 
 std::vector<Check> checkFolders() { return {checkCache(), checkScratch()}; }

@@ -1,0 +1,29 @@
+// The content of an input: its files, and their digest.
+#pragma once
+
+#include "voxc/Support/Error.h"
+
+#include <string>
+#include <vector>
+
+namespace voxc::measure {
+
+/// A file of an input, and the name by which the input refers to it.
+struct ContentFile {
+  std::string name;
+  std::string path;
+};
+
+/// The files of an input, its own first, in an order that is always the same; none of what is built in.
+/// Error: `Input` if one cannot be read.
+Expected<std::vector<ContentFile>> contentFiles(const std::string &input);
+
+/// The path in "grid:WxHxD:FILE" and "raw:WxHxD:TYPE:FILE", or the input itself.
+std::string fileOf(const std::string &input);
+
+/// Digest of an input's content: its file, or all that its pattern names, and the files beside and below it
+/// whose names stand in it, as those of an .obj's materials and textures do. Error: `Input` if the file
+/// cannot be read.
+Expected<std::string> contentDigest(const std::string &input);
+
+} // namespace voxc::measure
