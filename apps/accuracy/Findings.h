@@ -1,4 +1,4 @@
-// What `voxc accuracy` found, and how it is told: tables and JSON. docs/accuracy.md describes the JSON.
+// What `voxc accuracy` found, and how it is told: tables and JSON. docs/bench.md describes the JSON.
 #pragma once
 
 #include "accuracy/Series.h"

@@ -1,6 +1,6 @@
 """The plots of voxc accuracy, of its figures: accuracy.svg, lod.svg, and of each series NAME-error.svg and NAME-speed.svg.
 
-docs/accuracy.md describes the figures.
+docs/bench.md describes the figures.
 """
 import json
 import os
