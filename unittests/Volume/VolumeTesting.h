@@ -36,7 +36,7 @@ protected:
   void SetUp() override {
     folder_ = std::filesystem::temp_directory_path() / ("voxc-volume-file-" + std::to_string(::getpid()));
     std::filesystem::create_directory(folder_);
-    path_ = folder_ / "volume.hvx";
+    path_ = (folder_ / "volume.hvx").string();
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
