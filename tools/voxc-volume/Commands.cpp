@@ -70,8 +70,6 @@ Expected<std::vector<Hit>> hitsOf(const Volume &volume, const std::string &kerne
   return report ? Expected<std::vector<Hit>>(std::move(hits)) : report.error();
 }
 
-bool isHit(const Hit &hit) { return hit.x >= 0; }
-
 Expected<std::string> trace(Arguments arguments) {
   const auto volume = Volume::load(arguments[0]);
   if (!volume)
@@ -86,7 +84,7 @@ Expected<std::string> trace(Arguments arguments) {
   if (auto written = writeFile(arguments[3], {reinterpret_cast<const char *>(bytes.data()), bytes.size()});
       !written)
     return written.error();
-  return std::to_string(std::ranges::count_if(*hits, isHit)) + " of " + std::to_string(hits->size()) +
+  return std::to_string(std::ranges::count_if(*hits, &Hit::isHit)) + " of " + std::to_string(hits->size()) +
          " rays hit";
 }
 
@@ -110,7 +108,7 @@ Expected<std::string> verify(Arguments arguments) {
                         " have another hit than the oracle's");
   if (figures.maxUlpDt > 0)
     return Error::input("of " + rays + " all have the oracle's hit, but not all its t");
-  return rays + ", " + std::to_string(std::ranges::count_if(*hits, isHit)) +
+  return rays + ", " + std::to_string(std::ranges::count_if(*hits, &Hit::isHit)) +
          " hits, all as the oracle has them, to the bit of t";
 }
 

@@ -8,9 +8,11 @@ namespace voxc::platform {
 
 const std::byte *mapFile(int file, std::size_t size) {
   const HANDLE mapping = ::CreateFileMappingW(handleOf(file), nullptr, PAGE_WRITECOPY, 0, 0, nullptr);
-  // Views to be written to would take as much of the paging file as they are large.
-  void *const address = mapping ? ::MapViewOfFile(mapping, FILE_MAP_READ, 0, 0, size) : nullptr;
-  if (!address)
+  // A view for reading alone could not be written over later. This one counts towards what the paging file
+  // can hold.
+  void *const address = mapping ? ::MapViewOfFile(mapping, FILE_MAP_COPY, 0, 0, size) : nullptr;
+  DWORD before = 0;
+  if (!address || !::VirtualProtect(address, size, PAGE_READONLY, &before))
     failed();
   if (mapping)
     ::CloseHandle(mapping); // The view keeps it.
