@@ -1,8 +1,12 @@
 # What voxc is built on; docs/dependencies.md says why each is here.
-find_package(Vulkan 1.3 REQUIRED)
 find_package(Threads REQUIRED)
 find_path(VOXC_XXHASH_INCLUDE xxhash.h REQUIRED)
 find_path(VOXC_ZSTD_INCLUDE zstd.h REQUIRED)
+if(VOXC_RUNTIME_ONLY)
+  include(VoxcRuntimeDependencies)
+  return()
+endif()
+find_package(Vulkan 1.3 REQUIRED)
 find_package(glm REQUIRED CONFIG)
 
 # The compiler.

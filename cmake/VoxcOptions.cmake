@@ -1,7 +1,13 @@
 # How everything is compiled and linked.
 option(VOXC_BUILD_TESTS "Build the unit tests and configure the lit tests" ON)
 option(VOXC_APPS "Build the viewer, pages, measurements and building on many machines, the tests, and the programs of developers" ON)
+option(VOXC_RUNTIME_ONLY "Build the runtime, what converts and verifies without a compiler, and their tests; LLVM is not looked for" OFF)
 option(VOXC_FUZZ "Build the fuzzers and nothing else; needs Clang" OFF)
+# What stands on the runtime: the compiler, or what of it needs no LLVM.
+set(VOXC_COMPILER voxc-compiler)
+if(VOXC_RUNTIME_ONLY)
+  set(VOXC_COMPILER voxc-voxels)
+endif()
 option(VOXC_WERROR "Treat warnings as errors" OFF)
 set(VOXC_SANITIZE "" CACHE STRING "Sanitizers, such as address,undefined")
 
@@ -21,7 +27,7 @@ endif()
 
 # Debian's lld 19 installs no plain ld.lld; GCC finds the linker by this directory.
 find_program(VOXC_LLD NAMES ld.lld PATHS /usr/lib/llvm-19/bin NO_DEFAULT_PATH)
-if(VOXC_LLD)
+if(VOXC_LLD AND NOT WIN32)
   get_filename_component(lldDirectory "${VOXC_LLD}" DIRECTORY)
   add_link_options(-fuse-ld=lld "-B${lldDirectory}")
 endif()

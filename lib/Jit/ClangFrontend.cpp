@@ -47,11 +47,14 @@ std::vector<std::string> processorArguments(const std::string &processor) {
   return list;
 }
 
+/// Windows as MinGW-w64 has it. Other linkers of Windows take such objects too.
+constexpr const char *kWindows = "x86_64-w64-windows-gnu";
+
 /// cc1's arguments for freestanding C++20. Integers wrap, nothing is contracted and floats may be read as
 /// their bits, as in the GLSL that kernels share with other devices.
 std::vector<std::string> arguments(const std::string &mainFile, const ClangOptions &options) {
   std::vector<std::string> list = {"-triple",
-                                   llvm::sys::getDefaultTargetTriple(),
+                                   options.forWindows ? kWindows : llvm::sys::getDefaultTargetTriple(),
                                    "-emit-obj",
                                    "-x",
                                    "c++",

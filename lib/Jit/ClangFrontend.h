@@ -23,6 +23,7 @@ struct ClangOptions {
   /// The processor to compile for, as Clang names it ("x86-64-v3"); "native" is this one, "" the baseline of
   /// this architecture.
   std::string processor = "native";
+  bool forWindows = false; ///< For a program of Windows, rather than of this system.
   /// Whether loops over words take many of them at a time, which -O1 leaves out.
   bool vectorLoops = false;
   std::vector<std::string> macros; ///< As in -DNAME=1, without -D.

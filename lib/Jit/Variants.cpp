@@ -58,7 +58,9 @@ Expected<std::string> compileVariants(const std::vector<MemoryFile> &files, cons
     variants.push_back(
         std::async(std::launch::async, [&files, own] { return compileToBitcode(files, own); }));
   }
-  const auto choice = compileToBitcode({dispatcher}, {.optimisation = options.optimisation, .processor = ""});
+  const auto choice = compileToBitcode(
+      {dispatcher},
+      {.optimisation = options.optimisation, .processor = "", .forWindows = options.forWindows});
   if (!choice)
     return choice.error();
 

@@ -33,8 +33,11 @@ std::vector<MemoryFile> kernelFiles(const std::string &text) {
   return files;
 }
 
-ClangOptions optionsFor(const std::string &processor) {
-  return {.optimisation = 3, .isKernel = true, .processor = processor};
+ClangOptions optionsFor(const std::string &processor, ObjectSystem system = ObjectSystem::Own) {
+  return {.optimisation = 3,
+          .isKernel = true,
+          .processor = processor,
+          .forWindows = system == ObjectSystem::Windows};
 }
 
 /// The parts of a kernel's text, as cpu-runtime/voxc_lanes.h numbers them.
@@ -113,13 +116,16 @@ Expected<std::string> compileCpuObject(const Format &format, const CpuObjectOpti
 Expected<std::string> compileCpuObject(const Plan &plan, const CpuObjectOptions &options) {
   if (!isIdentifier(options.symbol))
     return Error::usage("'" + options.symbol + "' is no name of a C function");
+  if (!kHasVariants && options.system == ObjectSystem::Windows)
+    return Error::usage("objects for Windows are made on x86-64 processors, which it runs on");
   if (const std::string problem = problemOf(plan, EmitTarget::Processor); !problem.empty())
     return Error::input(problem);
   const std::string text = emitIntersectCpp(plan, options.symbol);
   if (!kHasVariants || !options.processor.empty())
-    return compileToObject(kernelFiles(text), optionsFor(options.processor));
+    return compileToObject(kernelFiles(text), optionsFor(options.processor, options.system));
   const std::string dispatch = emitDispatchCpp(options.symbol);
-  return compileVariants(kernelFiles(text), optionsFor(""), kVariants, {"dispatch.cpp", dispatch});
+  return compileVariants(kernelFiles(text), optionsFor("", options.system), kVariants,
+                         {"dispatch.cpp", dispatch});
 }
 
 } // namespace voxc

@@ -1,14 +1,13 @@
 // Asking the machine.
 #include "voxc/Measure/Machine.h"
 
+#include "Support/Platform/Memory.h"
 #include "voxc/Support/Version.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <thread>
-
-#include <unistd.h>
 
 namespace voxc::measure {
 namespace {
@@ -30,10 +29,7 @@ MadeByPart madeBy(std::string command) {
           std::max(std::thread::hardware_concurrency(), 1u), std::move(command)};
 }
 
-std::uint64_t machineMemory() {
-  return static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
-         static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
-}
+std::uint64_t machineMemory() { return platform::physicalMemory(); }
 
 void disableShaderCaches() {
   for (const char *variable : {"MESA_SHADER_CACHE_DISABLE", "MESA_GLSL_CACHE_DISABLE"})

@@ -1,6 +1,9 @@
 // The folder of compiled code.
 #include "voxc/Support/CompileCache.h"
 
+#include "Support/Platform/Code.h"
+#include "Support/Platform/File.h"
+#include "Support/Platform/Path.h"
 #include "voxc/Support/File.h"
 
 #define XXH_INLINE_ALL
@@ -8,12 +11,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstring>
-#include <dlfcn.h>
-#include <fcntl.h>
 #include <filesystem>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <vector>
 
 namespace voxc {
@@ -37,18 +37,11 @@ XXH128_canonical_t digestOf(std::string_view bytes) {
 /// Which voxc this is: the time and size of the program or library that this code is in. A version's number
 /// would not change while voxc is worked on.
 std::string identityOfCode() {
-  Dl_info info{};
-  struct stat file{};
-  const auto *const address = reinterpret_cast<const void *>(&identityOfCode);
-  const bool isKnown = dladdr(address, &info) != 0 && info.dli_fname && stat(info.dli_fname, &file) == 0;
-  if (!isKnown && stat("/proc/self/exe", &file) != 0)
-    return "";
-  return std::to_string(file.st_size) + " " + std::to_string(file.st_mtim.tv_sec) + " " +
-         std::to_string(file.st_mtim.tv_nsec);
+  return platform::identityOfCode(reinterpret_cast<const void *>(&identityOfCode));
 }
 
 struct Entry {
-  fs::path path;
+  std::string path;
   std::uint64_t bytes;
   fs::file_time_type used;
 };
@@ -57,14 +50,15 @@ struct Entry {
 std::vector<Entry> entriesOf(const std::string &folder) {
   std::vector<Entry> entries;
   std::error_code failure;
-  for (fs::directory_iterator at(folder, failure), end; !failure && at != end; at.increment(failure)) {
-    if (!at->path().native().ends_with(kEnding))
+  for (fs::directory_iterator at(platform::pathFrom(folder), failure), end; !failure && at != end;
+       at.increment(failure)) {
+    if (!platform::utf8From(at->path()).ends_with(kEnding))
       continue;
     std::error_code gone;
     const std::uint64_t bytes = at->file_size(gone);
     const fs::file_time_type used = at->last_write_time(gone);
     if (!gone)
-      entries.push_back({at->path(), bytes, used});
+      entries.push_back({platform::utf8From(at->path()), bytes, used});
   }
   return entries;
 }
@@ -73,13 +67,13 @@ std::vector<Entry> entriesOf(const std::string &folder) {
 
 Expected<CompileCache> CompileCache::open(std::string folder, std::uint64_t mostBytes) {
   std::error_code failure;
-  fs::create_directories(fs::path(folder).parent_path(), failure);
-  if (mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST)
+  fs::create_directories(platform::pathFrom(folder).parent_path(), failure);
+  if (!platform::makeOwnFolder(folder))
     return Error::environment("cannot make the folder '" + folder + "': " + std::strerror(errno));
-  struct stat status{};
-  if (stat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode))
+  const platform::Folder ownership = platform::ownershipOf(folder);
+  if (ownership == platform::Folder::None)
     return Error::environment("'" + folder + "' is no folder");
-  if (status.st_uid != geteuid() || (status.st_mode & (S_IWGRP | S_IWOTH)) != 0)
+  if (ownership == platform::Folder::OfOthers)
     return Error::environment("'" + folder +
                               "' can be written to by others; compiled code must be nobody else's");
   return CompileCache(std::move(folder), mostBytes);
@@ -114,10 +108,10 @@ std::optional<std::string> CompileCache::find(std::string_view kind,
   const XXH128_canonical_t digest = digestOf(bytes);
   if (file->size() < kHeadBytes || !file->starts_with(kMagic) ||
       std::memcmp(file->data() + kMagic.size(), &digest, sizeof digest) != 0) {
-    ::unlink(path.c_str());
+    platform::removeFile(path);
     return std::nullopt;
   }
-  ::utimensat(AT_FDCWD, path.c_str(), nullptr, 0); // It was used now.
+  platform::touch(path); // It was used now.
   return std::string(bytes);
 }
 
@@ -142,8 +136,8 @@ CompileCache::Usage CompileCache::usage() const {
 
 Expected<void> CompileCache::clear() const {
   for (const Entry &entry : entriesOf(folder_))
-    if (::unlink(entry.path.c_str()) != 0 && errno != ENOENT)
-      return Error::environment("cannot remove '" + entry.path.native() + "': " + std::strerror(errno));
+    if (!platform::removeFile(entry.path) && errno != ENOENT)
+      return Error::environment("cannot remove '" + entry.path + "': " + std::strerror(errno));
   return {};
 }
 
@@ -159,7 +153,7 @@ void CompileCache::trim() const {
   for (const Entry &entry : entries) {
     if (double(bytes) <= kTrimmedShare * double(mostBytes_))
       return;
-    ::unlink(entry.path.c_str());
+    platform::removeFile(entry.path);
     bytes -= entry.bytes;
   }
 }

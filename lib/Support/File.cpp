@@ -1,85 +1,62 @@
 // Mapping of input files, and output files that replace their target only when complete.
 #include "voxc/Support/File.h"
 
-#include "UnnamedFile.h"
+#include "Support/Platform/File.h"
+#include "Support/Platform/Mapping.h"
+#include "Support/Platform/UnnamedFile.h"
 
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace voxc {
 namespace {
 
+using platform::PathKind;
+
 std::string reason() { return std::strerror(errno); }
 
-/// Closes a descriptor on every way out.
-struct Descriptor {
-  int value;
-  ~Descriptor() {
-    if (value >= 0)
-      ::close(value);
+/// Closes a file on every way out.
+struct OpenFile {
+  int number;
+  ~OpenFile() {
+    if (number >= 0)
+      platform::close(number);
   }
 };
-
-/// The type bits of what stands at `path`, or 0 if nothing does.
-mode_t typeOf(const std::string &path) {
-  struct stat status{};
-  return ::stat(path.c_str(), &status) == 0 ? status.st_mode & S_IFMT : 0;
-}
-
-/// Permissions before the process's mask.
-constexpr mode_t kOrdinary = 0666;
-
-/// mkstemp makes a file private; the final file shall have the permissions of an ordinary one.
-void makeOrdinary(int descriptor) {
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  ::fchmod(descriptor, kOrdinary & ~mask);
-}
 
 } // namespace
 
 Expected<MappedFile> MappedFile::open(const std::string &path) {
-  // A pipe that no one writes to would be waited for.
-  Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
-  struct stat status{};
-  if (file.value < 0 || ::fstat(file.value, &status) != 0)
+  const OpenFile file{platform::openToRead(path)};
+  const auto status = file.number < 0 ? std::nullopt : platform::statusOf(file.number);
+  if (!status)
     return Error::input("cannot read '" + path + "': " + reason());
-  if (S_ISDIR(status.st_mode))
+  if (status->kind == PathKind::Folder)
     return Error::input("'" + path + "' is a directory; name a file");
-  if (!S_ISREG(status.st_mode))
+  if (status->kind != PathKind::File)
     return Error::input("'" + path + "' is not a regular file");
   MappedFile mapped;
-  mapped.size_ = static_cast<std::size_t>(status.st_size);
+  mapped.size_ = static_cast<std::size_t>(status->bytes);
   if (mapped.size_ == 0)
     return mapped;
-  void *address = ::mmap(nullptr, mapped.size_, PROT_READ, MAP_PRIVATE, file.value, 0);
-  if (address == MAP_FAILED)
+  mapped.data_ = platform::mapFile(file.number, mapped.size_);
+  if (!mapped.data_)
     return Error::environment("cannot map '" + path + "': " + reason());
-  mapped.data_ = static_cast<const std::byte *>(address);
   return mapped;
 }
 
 MappedFile::~MappedFile() {
   if (data_)
-    ::munmap(const_cast<std::byte *>(data_), size_);
+    platform::unmapFile(bytes());
 }
 
 void MappedFile::letGo() const {
   if (data_)
-    ::madvise(const_cast<std::byte *>(data_), size_, MADV_DONTNEED);
+    platform::letGo(bytes());
 }
 
 Expected<void> writeOver(std::span<const std::byte> at, std::span<const std::byte> bytes) {
-  const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
-  const auto address = reinterpret_cast<std::uintptr_t>(at.data());
-  const std::uintptr_t begin = address / page * page;
-  auto *const pages = reinterpret_cast<void *>(begin);
-  // Mappings are private: what is written to is a copy.
-  if (::mprotect(pages, address + at.size() - begin, PROT_READ | PROT_WRITE) != 0)
+  if (!platform::makeWritable(at))
     return Error::environment("cannot write to memory: " + reason());
   std::memcpy(const_cast<std::byte *>(at.data()), bytes.data(), bytes.size());
   return {};
@@ -95,13 +72,13 @@ MappedFile &MappedFile::operator=(MappedFile &&other) noexcept {
 }
 
 Expected<OutputFile> OutputFile::create(const std::string &path) {
-  const mode_t type = typeOf(path);
-  if (type == S_IFDIR)
+  const PathKind kind = platform::kindOf(path);
+  if (kind == PathKind::Folder)
     return Error::input("'" + path + "' is a directory; name a file to write");
   OutputFile output;
   output.path_ = path;
   // A pipe or a device is written to, never replaced by a file.
-  output.replaces_ = type == 0 || type == S_IFREG;
+  output.replaces_ = kind != PathKind::Other;
   if (!output.open())
     return output.cannotWrite();
   return output;
@@ -109,18 +86,16 @@ Expected<OutputFile> OutputFile::create(const std::string &path) {
 
 bool OutputFile::open() {
   int file =
-      replaces_ ? openUnnamed(folderOf(path_), kOrdinary) : ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
-  if (replaces_ && (file < 0 ? hasNoUnnamed(errno) : !canBeNamed(file))) {
+      replaces_ ? platform::openUnnamed(path_, platform::Access::Ordinary) : platform::openToWrite(path_);
+  if (replaces_ && (file < 0 ? platform::hasNoUnnamed(errno) : !platform::canBeNamed(file))) {
     if (file >= 0)
-      ::close(file);
-    temporary_ = path_ + ".XXXXXX";
-    file = ::mkostemp(temporary_.data(), O_CLOEXEC);
+      platform::close(file);
+    temporary_ = path_;
+    file = platform::openNew(temporary_, platform::Access::Ordinary);
     if (file < 0)
       temporary_.clear();
-    else
-      makeOrdinary(file);
   }
-  file_ = file < 0 ? nullptr : ::fdopen(file, "wb");
+  file_ = file < 0 ? nullptr : platform::streamTo(file);
   return file_ != nullptr;
 }
 
@@ -132,7 +107,7 @@ OutputFile::~OutputFile() {
   if (file_)
     std::fclose(file_);
   if (!temporary_.empty())
-    ::unlink(temporary_.c_str());
+    platform::removeFile(temporary_);
 }
 
 Error OutputFile::cannotWrite() const {
@@ -146,28 +121,19 @@ Expected<void> OutputFile::write(const void *data, std::size_t size) {
 }
 
 Expected<void> OutputFile::rewrite(std::uint64_t offset, const void *data, std::size_t size) {
-  if (std::fflush(file_) != 0)
+  if (std::fflush(file_) != 0 ||
+      !platform::writeAt(descriptor(), {static_cast<const std::byte *>(data), size}, offset))
     return cannotWrite();
-  const auto *rest = static_cast<const std::byte *>(data);
-  while (size > 0) { // A disk that fills up, or a limit, may take a part before it refuses the rest.
-    const ssize_t written = ::pwrite(descriptor(), rest, size, static_cast<off_t>(offset));
-    if (written < 0 && errno == EINTR)
-      continue;
-    if (written <= 0)
-      return cannotWrite();
-    rest += written;
-    size -= static_cast<std::size_t>(written);
-    offset += static_cast<std::uint64_t>(written);
-  }
   return {};
 }
 
+int OutputFile::descriptor() const { return platform::fileOf(file_); }
+
 Expected<void> OutputFile::commit() {
-  if (std::fflush(file_) != 0 || (replaces_ && ::fdatasync(descriptor()) != 0))
+  if (std::fflush(file_) != 0 || (replaces_ && !platform::writeThrough(descriptor())))
     return cannotWrite();
-  const bool isNamed =
-      !replaces_ || (temporary_.empty() ? giveName(descriptor(), path_)
-                                        : std::rename(temporary_.c_str(), path_.c_str()) == 0);
+  const bool isNamed = !replaces_ || (temporary_.empty() ? platform::giveName(descriptor(), path_)
+                                                         : platform::renameOver(temporary_, path_));
   if (!isNamed)
     return cannotWrite();
   temporary_.clear();

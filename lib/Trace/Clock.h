@@ -6,7 +6,7 @@
 namespace voxc {
 
 inline double clockSeconds(clockid_t clock) {
-  std::timespec now{};
+  timespec now{};
   clock_gettime(clock, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }

@@ -6,12 +6,11 @@
 #include "OrderedTracer.h"
 
 #include "Support/ParallelFor.h"
+#include "Support/Platform/Memory.h"
 #include "voxc/Trace/CpuKernel.h"
 
 #include <algorithm>
 #include <atomic>
-
-#include <unistd.h>
 
 namespace voxc {
 namespace {
@@ -145,8 +144,7 @@ DeviceInfo cpuDeviceInfo() {
   info.name = "cpu";
   info.driver = "voxc, " + std::to_string(std::max(std::thread::hardware_concurrency(), 1u)) + " threads";
   info.kind = "cpu";
-  info.memoryBytes =
-      static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  info.memoryBytes = platform::physicalMemory();
   info.maxStorageBufferBytes = info.maxAllocationBytes = info.memoryBytes;
   info.usable = info.deviceAddresses = true;
   return info;

@@ -4,6 +4,8 @@
 #include "Capabilities.h"
 #include "DeviceState.h"
 
+#include "Support/Platform/Library.h"
+
 #include <string>
 
 namespace voxc {
@@ -13,7 +15,8 @@ Expected<VulkanFunctions> hostFunctions(VkInstance instance, PFN_vkGetInstancePr
   if (!getInstanceProcAddr) {
     if (const VulkanLoader *loader = loadVulkan())
       return loader->functions;
-    return Error::environment("there is no libvulkan.so.1 of Vulkan 1.2 or later");
+    return Error::environment("there is no " + std::string(platform::kVulkanLoader) +
+                              " of Vulkan 1.2 or later");
   }
   if (auto functions = functionsOf(instance, getInstanceProcAddr))
     return *functions;

@@ -1,7 +1,7 @@
 // Vulkan's functions, looked up in the loader's library, or in a host's loader.
 #include "Vulkan.h"
 
-#include <dlfcn.h>
+#include "Support/Platform/Library.h"
 
 namespace voxc {
 namespace {
@@ -18,11 +18,10 @@ template <typename LookUp> bool fill(VulkanFunctions &functions, LookUp lookUp) 
 }
 
 std::optional<VulkanLoader> openLoader() {
-  // Never closed: drivers do not expect to be unloaded before the process ends.
-  void *library = dlopen("libvulkan.so.1", RTLD_NOW | RTLD_LOCAL);
+  void *const library = platform::openLibrary(platform::kVulkanLoader);
   if (!library)
     return std::nullopt;
-  const auto lookUp = [library](const char *name) { return dlsym(library, name); };
+  const auto lookUp = [library](const char *name) { return platform::findFunction(library, name); };
   VulkanLoader loader;
   loader.CreateInstance = reinterpret_cast<PFN_vkCreateInstance>(lookUp("vkCreateInstance"));
   if (!fill(loader.functions, lookUp) || loader.CreateInstance == nullptr)

@@ -6,6 +6,7 @@
 #include "StreamTable.h"
 #include "VolumeFile.h"
 
+#include "Support/Platform/Path.h"
 #include "voxc/Support/File.h"
 
 #include <algorithm>
@@ -83,7 +84,8 @@ std::string journalPathOf(const std::string &volumePath) { return volumePath + "
 Expected<void> checkNoJournal(const std::string &volumePath) {
   constexpr std::uintmax_t kHeadBytes = 32; // Of a journal that was begun, and has no edits.
   std::error_code failure;
-  const std::uintmax_t bytes = std::filesystem::file_size(journalPathOf(volumePath), failure);
+  const std::uintmax_t bytes =
+      std::filesystem::file_size(platform::pathFrom(journalPathOf(volumePath)), failure);
   if (!failure && bytes > kHeadBytes)
     return Error::input("edits of '" + volumePath + "' wait in '" + journalPathOf(volumePath) +
                         "'; 'voxc edit " + volumePath + " --compact -o " + volumePath +

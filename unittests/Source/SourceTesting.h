@@ -2,6 +2,7 @@
 // that disappear.
 #pragma once
 
+#include "NewFolder.h"
 #include "voxc/Source/VoxelSource.h"
 #include "voxc/Volume/Volume.h"
 
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -22,10 +22,7 @@ namespace voxc {
 /// A folder that is removed with everything in it.
 class TemporaryFolder {
 public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "voxc-test-XXXXXX").string();
-    path_ = ::mkdtemp(name.data());
-  }
+  TemporaryFolder() : path_(test::newFolder("voxc-test").string()) {}
   ~TemporaryFolder() { std::filesystem::remove_all(path_); }
   TemporaryFolder(const TemporaryFolder &) = delete;
   TemporaryFolder &operator=(const TemporaryFolder &) = delete;

@@ -64,8 +64,8 @@ TEST_F(VolumeFile, NoticesEveryLength) {
 }
 
 TEST_F(VolumeFile, LeavesTheOldFileIfItCannotBeWritten) {
-  EXPECT_FALSE(small().save(folder_));
-  EXPECT_FALSE(small().save(folder_ / "none" / "v.hvx"));
+  EXPECT_FALSE(small().save(folder_.string()));
+  EXPECT_FALSE(small().save((folder_ / "none" / "v.hvx").string()));
 }
 
 std::string structureOf(const char *format, std::vector<std::uint32_t> words) {

@@ -74,9 +74,9 @@ TEST_F(VolumeFile, TakesNothingElseForTheRecord) {
 TEST_F(VolumeFile, HasNoSummaryWhereItIsNone) {
   EXPECT_THAT(summarizeVolume(path_ + ".none").error().message, HasSubstr("No such file"));
   const std::string whole = saved(small());
-  std::ofstream(path_) << whole.substr(0, whole.size() - 4);
+  std::ofstream(path_, std::ios::binary) << whole.substr(0, whole.size() - 4);
   EXPECT_THAT(summarizeVolume(path_).error().message, HasSubstr("is truncated"));
-  std::ofstream(path_) << "no volume at all";
+  std::ofstream(path_, std::ios::binary) << "no volume at all";
   EXPECT_THAT(summarizeVolume(path_).error().message, HasSubstr("is not a .hvx volume"));
 }
 

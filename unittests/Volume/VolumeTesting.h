@@ -2,6 +2,7 @@
 // right.
 #pragma once
 
+#include "NewFolder.h"
 #include "Volume/Checksum.h"
 #include "Volume/VolumeFile.h"
 #include "voxc/Support/File.h"
@@ -13,7 +14,6 @@
 #include <filesystem>
 #include <span>
 #include <string>
-#include <unistd.h>
 
 namespace voxc::test {
 
@@ -34,9 +34,8 @@ inline std::string sealed(std::string bytes) {
 class VolumeFile : public ::testing::Test {
 protected:
   void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / ("voxc-volume-file-" + std::to_string(::getpid()));
-    std::filesystem::create_directory(folder_);
-    path_ = folder_ / "volume.hvx";
+    folder_ = newFolder("voxc-volume-file");
+    path_ = (folder_ / "volume.hvx").string();
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 

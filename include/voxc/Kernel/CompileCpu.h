@@ -3,9 +3,12 @@
 
 #include "voxc/Plan/Plan.h"
 #include "voxc/Support/CompileCache.h"
+#include "voxc/Support/EnumText.h"
 #include "voxc/Trace/CpuKernel.h"
 
+#include <array>
 #include <string>
+#include <string_view>
 
 namespace voxc {
 
@@ -33,6 +36,11 @@ Expected<CpuKernel> compileCpuKernel(const Format &format, const CpuKernelOption
 /// The same of a finished plan for `EmitTarget::Processor`; `Input` if it is none.
 Expected<CpuKernel> compileCpuKernel(const Plan &plan, const CpuKernelOptions &options = {});
 
+/// The system whose programs an object is for: another has another kind of files and of calls.
+enum class ObjectSystem { Own, Windows };
+
+template <> inline constexpr std::array<std::string_view, 2> kEnumNames<ObjectSystem> = {"own", "windows"};
+
 struct CpuObjectOptions {
   /// The kernel's extern "C" function, of the type `CpuKernel::Function`; a program with several kernels
   /// gives each a name of its own. A C identifier.
@@ -41,11 +49,13 @@ struct CpuObjectOptions {
   /// is any of this architecture: on x86-64 the object has a variant for each of x86-64-v4 (32 rays at once),
   /// x86-64-v3 (8) and the baseline (ray by ray), and picks when it is first called.
   std::string processor;
+  ObjectSystem system = ObjectSystem::Own;
 };
 
-/// Emits and compiles the kernel of `format` to a relocatable object file of this platform, which needs no
+/// Emits and compiles the kernel of `format` to a relocatable object file, which needs no
 /// library but C's for mathematics; `emitIntersectHeader` declares what is in it. Errors: `symbol` is no
-/// identifier (`Usage`); Clang knows no such processor (`Input`).
+/// identifier, or the system has other processors than this one (`Usage`); Clang knows no such processor
+/// (`Input`).
 Expected<std::string> compileCpuObject(const Format &format, const CpuObjectOptions &options = {});
 
 /// The same of a finished plan for `EmitTarget::Processor`; `Input` if it is none.

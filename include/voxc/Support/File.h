@@ -52,7 +52,7 @@ public:
   /// Writes over bytes that were written before. Error: `Environment`.
   Expected<void> rewrite(std::uint64_t offset, const void *data, std::size_t size);
   /// The file itself, for anyone who writes in any order; `write` is not to be mixed with that.
-  int descriptor() const { return ::fileno(file_); }
+  int descriptor() const;
   /// True if there is a file of its own, not a pipe or a device.
   bool isRegular() const { return replaces_; }
   /// Sees all of it onto the disk, then gives it the final name: whatever happens, `path` is what it was or

@@ -3,7 +3,7 @@
 
 #include "JournalFormat.h"
 
-#include "Support/UnnamedFile.h"
+#include "Support/Platform/Path.h"
 #include "voxc/Construct/EditableVolume.h"
 #include "voxc/Layout/Edits.h"
 #include "voxc/Support/File.h"
@@ -71,7 +71,7 @@ bool hasName(int file, const std::string &path) {
 
 /// Sees onto the disk that a folder has a file.
 void syncFolderOf(const std::string &path) {
-  const int folder = ::open(folderOf(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const int folder = ::open(platform::folderOf(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (folder < 0)
     return;
   ::fsync(folder);

@@ -4,6 +4,7 @@
 #include "Source/Export/VoxelLooks.h"
 #include "Source/Export/Writers.h"
 #include "Support/PathEnding.h"
+#include "Support/Platform/Path.h"
 
 #include <array>
 #include <filesystem>
@@ -68,7 +69,8 @@ std::string knownEndings() {
 Expected<void> checkSpace(const ExportKind &kind, const Volume &volume, const std::string &path) {
   const std::uint64_t count = kind.count(volume);
   std::error_code unknown;
-  const auto space = std::filesystem::space(std::filesystem::absolute(path).parent_path(), unknown);
+  const auto space =
+      std::filesystem::space(std::filesystem::absolute(platform::pathFrom(path)).parent_path(), unknown);
   if (unknown || count <= space.available / kind.bytesEach)
     return {};
   return Error::environment(std::to_string(count) + " " + kind.unit + " of " +

@@ -1,8 +1,7 @@
 // Files of which the first ones wait for the others.
 #include "Source/Export/NumberedFiles.h"
 
-#include <filesystem>
-#include <system_error>
+#include "Support/Platform/File.h"
 
 namespace voxc {
 namespace {
@@ -12,9 +11,8 @@ constexpr std::uint64_t kBeginning = 2;
 
 /// Removes a file; a pipe or a device stays, and is written to.
 void removeFile(const std::string &path) {
-  std::error_code ignored;
-  if (std::filesystem::is_regular_file(path, ignored))
-    std::filesystem::remove(path, ignored);
+  if (platform::kindOf(path) == platform::PathKind::File)
+    platform::removeFile(path);
 }
 
 } // namespace

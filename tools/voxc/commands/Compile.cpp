@@ -60,6 +60,7 @@ private:
   std::string language_{toString(HeaderLanguage::Shared)};
   bool optimise_ = false;
   CpuObjectOptions cpu_;
+  std::string system_{toString(ObjectSystem::Own)};
   std::string name_;
 };
 
@@ -110,6 +111,10 @@ void CompileCommand::declare(const CommandLine &command) {
            "Processor of intersect.o, such as x86-64-v3, or native: this very one; default: any of this "
            "architecture, as fast as each can")
       .takes("NAME");
+  command.add("--system", system_, "System of the programs that intersect.o is for")
+      .takes("own|windows")
+      .oneOf(namesOf<ObjectSystem>())
+      .showsDefault();
   command
       .add("--name", name_,
            "Name of what is in a header: its functions begin with voxc_NAME_; default: made of the format")
@@ -161,7 +166,9 @@ Expected<std::vector<Artefact>> CompileCommand::generate(const std::variant<Form
       std::ranges::find(kAddressings, addressing_, [](Addressing each) { return toString(each); });
   const HeaderLanguage language = *fromString<HeaderLanguage>(language_);
   const PlanOptions device = {*addressing, *fromString<Loops>(loops_), *fromString<Arithmetic>(arithmetic_)};
-  const KernelChoices choices = {device, optimise_, cpu_, name_, language};
+  CpuObjectOptions cpu = cpu_;
+  cpu.system = *fromString<ObjectSystem>(system_);
+  const KernelChoices choices = {device, optimise_, cpu, name_, language};
   return makeArtefacts(source, kinds_, choices, folder_ == "-");
 }
 

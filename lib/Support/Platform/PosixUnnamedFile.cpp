@@ -1,5 +1,7 @@
-// Unnamed files, and how they take the place of what has their name.
+// Unnamed files by Linux, and how they take the place of what has their name.
 #include "UnnamedFile.h"
+
+#include "Path.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -8,12 +10,15 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace voxc {
+namespace voxc::platform {
 namespace {
 
 /// The name beside is taken for the time between two system calls.
 constexpr int kAttempts = 10000;
 constexpr useconds_t kPauseMicroseconds = 1000;
+
+/// Permissions before the process's mask.
+constexpr mode_t modeOf(Access access) { return access == Access::Owner ? 0600 : 0666; }
 
 /// A link to the open file itself.
 std::string linkOf(int file) { return "/proc/self/fd/" + std::to_string(file); }
@@ -26,7 +31,7 @@ bool linkAs(int file, const std::string &path) {
 /// what a killed process leaves there is found by the next one.
 std::string besideName(const std::string &path) {
   constexpr std::size_t kMostBytes = 200; // A name has 255 at most.
-  return folderOf(path) + "/." + path.substr(path.rfind('/') + 1).substr(0, kMostBytes) + ".voxc-new";
+  return folderOf(path) + "/." + path.substr(lastPart(path)).substr(0, kMostBytes) + ".voxc-new";
 }
 
 bool isSame(int file, const std::string &path) {
@@ -48,15 +53,17 @@ void clearBeside(const std::string &beside) {
   ::close(file);
 }
 
-} // namespace
-
-std::string folderOf(const std::string &path) {
-  const std::size_t slash = path.rfind('/');
-  return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
+/// mkostemp makes a file private; others shall have the permissions of an ordinary one.
+void makeOrdinary(int file) {
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  ::fchmod(file, modeOf(Access::Ordinary) & ~mask);
 }
 
-int openUnnamed(const std::string &folder, mode_t mode) {
-  return ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, mode);
+} // namespace
+
+int openUnnamed(const std::string &path, Access access) {
+  return ::open(folderOf(path).c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, modeOf(access));
 }
 
 bool hasNoUnnamed(int error) { return error == EOPNOTSUPP || error == EISDIR || error == EINVAL; }
@@ -83,4 +90,12 @@ bool giveName(int file, const std::string &path) {
   return false;
 }
 
-} // namespace voxc
+int openNew(std::string &path, Access access) {
+  path += ".XXXXXX";
+  const int file = ::mkostemp(path.data(), O_CLOEXEC);
+  if (file >= 0 && access == Access::Ordinary)
+    makeOrdinary(file);
+  return file;
+}
+
+} // namespace voxc::platform
