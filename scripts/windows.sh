@@ -114,3 +114,4 @@ kernel 'D(5^3,15) M(2^3)'
 conversions
 hits
 refusals
+echo "what is wrong is told, and takes no file away"
