@@ -4,7 +4,8 @@
 #
 # Usage: scripts/windows.sh [VOXC]
 # VOXC (default: build/release/bin/voxc) is the program to compare with. All that is made is in build/windows. Libraries of which Debian
-# has no archive for MinGW are made of their sources, which come from where this machine's packages come from.
+# has no archive for MinGW are made of their sources, which come from where this machine's packages come from, in a minute and a half.
+# On two cores that others used too, tests took from 15 seconds (passes) to 18 minutes (volumes), and the comparison 1:50.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 voxc="$(realpath "${1:-build/release/bin/voxc}")"
@@ -114,3 +115,4 @@ kernel 'D(5^3,15) M(2^3)'
 conversions
 hits
 refusals
+echo "what is wrong is told, and takes no file away"
