@@ -10,6 +10,7 @@ set(compiler "${CMAKE_C_COMPILER}")
 if(CMAKE_SYSROOT)
   list(APPEND compiler "--sysroot=${CMAKE_SYSROOT}")
 endif()
+set(VOXC_PORTABLE_COMPILER "${compiler}" CACHE INTERNAL "What scripts/portable.sh compiles with")
 add_custom_command(
   OUTPUT "${portable}/libc.so"
   COMMAND python3 -B "${CMAKE_CURRENT_LIST_DIR}/portable/old_glibc.py" "${portable}" ${VOXC_PORTABLE_GLIBC} ${compiler}

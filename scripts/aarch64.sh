@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# aarch64.sh [VOXC]: what voxc is on 64-bit Arm processors, which qemu plays: the unit tests of what makes code and runs it, the code of a
-# kernel for NEON, and volumes and hits, which must be those that VOXC (default: build/release/bin/voxc) makes here, byte for byte.
+# aarch64.sh [VOXC]: what voxc is on 64-bit Arm processors, which qemu plays: the unit tests of what makes code and runs it, a kernel for
+# others to link, and volumes and hits, which must be those that VOXC (default: build/release/bin/voxc) makes here, byte for byte.
 #
+# Kernels for Arm go ray by ray: packets are for AVX2 and AVX-512. voxc-test-Jit has packets of 4, 8 and 16 lanes made for NEON all the same.
 # There is no Vulkan driver in qemu: tests of devices skip themselves, and are counted. Words.* of Construct are left to
 # scripts/compilers-words.sh, which compares all 520 of them.
 cd "$(dirname "$0")/.."
@@ -31,12 +32,13 @@ test_part() { # PART
     "$(sed -n 's/^\[  SKIPPED \] \([0-9]*\) tests\?, .*/\1/p' "$log" | grep . || echo none)" $((SECONDS - begin))
 }
 
-# The object that others link: for this architecture, and with instructions for vectors.
+# The object that others link: for this architecture, with registers of NEON, and without a name that it asks for.
 look_at_kernel() {
   local object=$out/intersect.o vectors
   emulated "$there/bin/voxc" compile "D(6^3, 15) M(2^3)" --emit=cpu -o "$out" --quiet
-  vectors=$(llvm-objdump-19 --disassemble "$object" | grep -c -E '\bv[0-9]+\.(16b|8b|8h|4h|4s|2s|2d)\b') || fail "$object has no instruction of NEON"
-  printf '%s, %d instructions of NEON\n' "$(llvm-objdump-19 --file-headers "$object" | sed -n 's/^architecture: //p')" "$vectors"
+  aarch64-linux-gnu-gcc -shared -nostdlib -Wl,-z,defs "$object" -o "$out/kernel.so"
+  vectors=$(llvm-objdump-19 --disassemble "$object" | grep -c -E '\bv[0-9]+\.(16b|8b|8h|4h|4s|2s|2d)\b') || fail "$object uses no vector of NEON"
+  printf '%s, %d instructions with vectors of NEON\n' "$(llvm-objdump-19 --file-headers "$object" | sed -n 's/^architecture: //p')" "$vectors"
 }
 
 # Builds a volume and traces the rays through it, exactly and fast.
@@ -65,7 +67,7 @@ rm -rf "$out"
 mkdir -p "$out"
 # Files that stay behind, and code that is kept, are those of this run.
 export TMPDIR=$PWD/$out VOXC_CACHE=off VOXC_TEST_FACTOR=1
-say "A kernel for NEON"
+say "A kernel for others"
 look_at_kernel
 say "Volumes and hits, here and there"
 python3 -B scripts/aarch64-rays.py "$out/rays" $edge $rays

@@ -12,7 +12,7 @@ build="$(realpath -m "${1:-build/release}")"
 readonly build preset=${2:-release}
 readonly made=$build/portable/made # Where cmake/portable/archives.py looks.
 
-# What CMake found for a name, such as the compiler, which may be one for another processor.
+# What CMake found for a name, such as the compiler, which may be one for another processor. That for C compiles C++ too.
 found() { sed -n "s/^$1:[A-Z]*=//p" "$build/CMakeCache.txt"; }
 
 unpack() { # PACKAGE: its source, in a folder of its name.
@@ -41,7 +41,7 @@ turbo_jpeg() {
 fetch_sysroot "$preset"
 cmake --preset "$preset" -B "$build" > /dev/null
 sysroot=$(found VOXC_SYSROOT)
-compiler=("$(found CMAKE_CXX_COMPILER)" ${sysroot:+"--sysroot=$sysroot"})
+IFS=';' read -r -a compiler <<< "$(found VOXC_PORTABLE_COMPILER)"
 readonly sysroot compiler
 if [ ! -e "$made/libmeshoptimizer.a" ] || [ ! -e "$made/libturbojpeg.a" ]; then
   mkdir -p "$made/lists/partial"

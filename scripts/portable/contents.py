@@ -17,8 +17,8 @@ OUTSIDE = {"libc6-dev", "linux-libc-dev", "libc6-dev-arm64-cross", "linux-libc-d
 
 def roots_of(build):
     """Where packages are that voxc is made of: this system and, for another processor, what scripts/sysroot.sh has made."""
-    sysroot = re.search(r"^VOXC_SYSROOT:\w+=(.+)$", (build / "CMakeCache.txt").read_text(), re.MULTILINE)
-    return [pathlib.Path(sysroot[1])] * bool(sysroot) + [pathlib.Path("/")]
+    sysroots = re.findall(r"^VOXC_SYSROOT:\w+=(.+)$", (build / "CMakeCache.txt").read_text(), re.MULTILINE)
+    return [pathlib.Path(root) for root in [*sysroots, "/"]]
 
 
 def linked(build):
