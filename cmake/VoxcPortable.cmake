@@ -6,10 +6,15 @@ set(VOXC_PORTABLE_GLIBC 2.28)
 
 # What -lNAME is to find before the system's folders: archives, where those there are shared libraries too.
 set(portable "${PROJECT_BINARY_DIR}/portable")
+set(compiler "${CMAKE_C_COMPILER}")
+if(CMAKE_SYSROOT)
+  list(APPEND compiler "--sysroot=${CMAKE_SYSROOT}")
+endif()
+set(VOXC_PORTABLE_COMPILER "${compiler}" CACHE INTERNAL "What scripts/portable.sh compiles with")
 add_custom_command(
   OUTPUT "${portable}/libc.so"
-  COMMAND python3 -B "${CMAKE_CURRENT_LIST_DIR}/portable/old_glibc.py" "${portable}" ${VOXC_PORTABLE_GLIBC} "${CMAKE_C_COMPILER}"
-  COMMAND python3 -B "${CMAKE_CURRENT_LIST_DIR}/portable/archives.py" "${portable}" "${CMAKE_C_COMPILER}" "${portable}/made"
+  COMMAND python3 -B "${CMAKE_CURRENT_LIST_DIR}/portable/old_glibc.py" "${portable}" ${VOXC_PORTABLE_GLIBC} ${compiler}
+  COMMAND python3 -B "${CMAKE_CURRENT_LIST_DIR}/portable/archives.py" "${portable}" "${portable}/made" ${compiler}
   DEPENDS "${CMAKE_CURRENT_LIST_DIR}/portable/old_glibc.py" "${CMAKE_CURRENT_LIST_DIR}/portable/archives.py"
   VERBATIM)
 add_custom_target(voxc-portable-libraries DEPENDS "${portable}/libc.so")
@@ -31,7 +36,8 @@ if(VOXC_VIEW)
   # The window within, and what it needs of a system loaded when it opens.
   add_custom_command(
     OUTPUT "${portable}/window.s"
-    COMMAND python3 -B "${CMAKE_CURRENT_LIST_DIR}/portable/late_window.py" "${portable}/window.s" $<TARGET_FILE:voxc-window> "${VOXC_IMGUI_LIBRARY}"
+    COMMAND python3 -B "${CMAKE_CURRENT_LIST_DIR}/portable/late_window.py" "${portable}/window.s" "${CMAKE_NM}" ${CMAKE_SYSTEM_PROCESSOR}
+            $<TARGET_FILE:voxc-window> "${VOXC_IMGUI_LIBRARY}"
     DEPENDS voxc-window "${CMAKE_CURRENT_LIST_DIR}/portable/late_window.py"
     VERBATIM)
   enable_language(ASM)

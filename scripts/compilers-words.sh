@@ -6,15 +6,31 @@ cd "$(dirname "$0")/.."
 source scripts/lib.sh
 
 readonly folder=build/compilers
-readonly sysroot=$PWD/$folder/aarch64
+readonly tests=(voxc-test-{Support,Construct,Mesh,Oracle})
 
 # A build: its name, options of CMake, its flags, what runs its programs, and in how many processes the words are compared, one after the other.
 # qemu keeps what it has translated of each kernel, and would need too much memory for all of them in one.
 builds=(
   "gxx-O0|-DCMAKE_CXX_COMPILER=g++|-O0||1"
   "clang-O3|-DCMAKE_CXX_COMPILER=clang++-19|-O3 -DNDEBUG||1"
-  "aarch64|-DCMAKE_TOOLCHAIN_FILE=$PWD/cmake/aarch64.cmake -DVOXC_SYSROOT=$sysroot|-O3|qemu-aarch64 -L $sysroot|12"
+  "aarch64||-O3 -DNDEBUG|qemu-aarch64 -L build/aarch64-sysroot|12"
 )
+
+# Builds the tests; sets `build`, the folder that has them. That for aarch64 is its preset's, which scripts/aarch64.sh builds too.
+build_tests() { # NAME OPTIONS FLAGS
+  build="$folder/words-$1"
+  [ "$1" != aarch64 ] || build=build/aarch64
+  say "Building $1 with $3 in $build"
+  mkdir -p "$folder"
+  local log=$folder/$1.log
+  if [ "$1" = aarch64 ]; then
+    build aarch64 "${tests[@]}" > "$log"
+  else
+    # shellcheck disable=SC2086 # Options are words.
+    cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=None $2 -DCMAKE_CXX_FLAGS="$3" -DVOXC_FIRST_BUILD=ON > /dev/null &&
+      nice cmake --build "$build" --target "${tests[@]}" > "$log"
+  fi || { tail -30 "$log"; exit 1; }
+}
 
 # Compares the words in so many processes, and fails if not all volumes of the list were compared.
 compare_words() {
@@ -32,13 +48,7 @@ wanted=("$@")
 for row in "${builds[@]}"; do
   IFS='|' read -r name options flags runner parts <<< "$row"
   [ ${#wanted[@]} -eq 0 ] || [[ " ${wanted[*]} " = *" $name "* ]] || continue
-  [ "$name" != aarch64 ] || [ -d "$sysroot" ] || scripts/sysroot.sh arm64 "$sysroot"
-  build="$folder/words-$name"
-  say "Building $name with $flags in $build"
-  # shellcheck disable=SC2086 # Options are words.
-  cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=None $options -DCMAKE_CXX_FLAGS="$flags" -DVOXC_FIRST_BUILD=ON > /dev/null
-  nice cmake --build "$build" --target voxc-test-Support voxc-test-Construct voxc-test-Mesh voxc-test-Oracle > "$build/build.log" ||
-    { tail -30 "$build/build.log"; exit 1; }
+  build_tests "$name" "$options" "$flags"
   export VOXC_TEST_FACTOR=2
   $runner "$build/bin/voxc-test-Support" --gtest_brief=1 --gtest_filter='Narrowing.*'
   compare_words "$build/bin/voxc-test-Construct" "$runner" "$parts"

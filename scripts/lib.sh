@@ -38,12 +38,18 @@ install_packages() {
   as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq install --no-install-recommends --yes $missing
 }
 
+# What a preset builds over where that is not this system: libraries for another processor, fetched once.
+fetch_sysroot() { # PRESET
+  [ "$1" != aarch64 ] || [ -d build/aarch64-sysroot ] || scripts/sysroot.sh arm64 build/aarch64-sysroot
+}
+
 # build PRESET [TARGET...]: configures and builds build/PRESET, all of it or these targets. One from nothing compiles files
 # together; `cmake --preset PRESET -DVOXC_FIRST_BUILD=OFF` is for who goes on to change them.
 build() {
   local preset=$1
   shift
   say "Building ${*:-everything} in build/$preset; the first time takes minutes, later ones a moment"
+  fetch_sysroot "$preset"
   local first=
   [ -e "build/$preset/CMakeCache.txt" ] || first=-DVOXC_FIRST_BUILD=ON
   cmake --preset "$preset" $first >/dev/null

@@ -56,10 +56,10 @@ try_appimage() {
 }
 
 try_wheel() { # SUITE
-  cp "$folder"/voxc-*.whl python/voxc*_test.py "$root$desk"
+  cp "$folder"/voxc-*_"$(uname -m)".whl python/voxc*_test.py "$root$desk"
   inside python3 -m venv --system-site-packages "$desk/venv"
   local begin=$SECONDS
-  inside pip install --quiet --disable-pip-version-check --no-index "$desk/$(basename "$folder"/voxc-*.whl)"
+  inside pip install --quiet --disable-pip-version-check --no-index "$desk/$(basename "$folder"/voxc-*_"$(uname -m)".whl)"
   printf 'the wheel: installed in %d s; ' $((SECONDS - begin))
   inside python3 -c '
 import voxc

@@ -2,14 +2,18 @@
 # Links voxc so that it runs elsewhere: on every system with glibc 2.28 or later, with all that Debian has of it within; what the wheel
 # and the tarball hold. cmake/VoxcPortable.cmake says how.
 #
-# Usage: scripts/portable.sh [BUILD]
-# BUILD (default: build/release) is built as far as is needed, and has the result in BUILD/portable. Of two libraries Debian has no archive
-# that a shared library could hold; theirs are made of their sources, which come from where this machine's packages come from.
-set -euo pipefail
+# Usage: scripts/portable.sh [BUILD [PRESET]]
+# BUILD (default: build/release) is built as far as is needed, by PRESET (default: release), and has the result in BUILD/portable. Of two
+# libraries Debian has no archive that a shared library could hold; theirs are made of their sources, which come from where this machine's
+# packages come from.
 cd "$(dirname "$0")/.."
+source scripts/lib.sh
 build="$(realpath -m "${1:-build/release}")"
-readonly build
+readonly build preset=${2:-release}
 readonly made=$build/portable/made # Where cmake/portable/archives.py looks.
+
+# What CMake found for a name, such as the compiler, which may be one for another processor. That for C compiles C++ too.
+found() { sed -n "s/^$1:[A-Z]*=//p" "$build/CMakeCache.txt"; }
 
 unpack() { # PACKAGE: its source, in a folder of its name.
   [ ! -d "$1" ] || return 0
@@ -20,19 +24,25 @@ unpack() { # PACKAGE: its source, in a folder of its name.
 mesh_optimizer() {
   unpack meshoptimizer
   for file in meshoptimizer/src/*.cpp; do
-    c++ -O2 -fPIC -ffunction-sections -fdata-sections -c "$file" -o "meshoptimizer/$(basename "$file" .cpp).o"
+    "${compiler[@]}" -O2 -fPIC -ffunction-sections -fdata-sections -c "$file" -o "meshoptimizer/$(basename "$file" .cpp).o"
   done
-  ar rcs libmeshoptimizer.a meshoptimizer/*.o
+  "$(found CMAKE_AR)" rcs libmeshoptimizer.a meshoptimizer/*.o
 }
 
 turbo_jpeg() {
   unpack libjpeg-turbo
-  cmake -S libjpeg-turbo -B libjpeg-turbo/made -G Ninja -DCMAKE_BUILD_TYPE=Release -DENABLE_SHARED=OFF -DREQUIRE_SIMD=ON \
-    -DCMAKE_POSITION_INDEPENDENT_CODE=ON > libjpeg-turbo.log
+  local chosen=(-DCMAKE_BUILD_TYPE=Release -DENABLE_SHARED=OFF -DREQUIRE_SIMD=ON -DCMAKE_POSITION_INDEPENDENT_CODE=ON)
+  [ -z "$sysroot" ] || chosen+=("-DCMAKE_TOOLCHAIN_FILE=$(found CMAKE_TOOLCHAIN_FILE)" "-DVOXC_SYSROOT=$sysroot")
+  cmake -S libjpeg-turbo -B libjpeg-turbo/made -G Ninja "${chosen[@]}" > libjpeg-turbo.log
   cmake --build libjpeg-turbo/made --target turbojpeg-static
   cp libjpeg-turbo/made/libturbojpeg.a .
 }
 
+fetch_sysroot "$preset"
+cmake --preset "$preset" -B "$build" > /dev/null
+sysroot=$(found VOXC_SYSROOT)
+IFS=';' read -r -a compiler <<< "$(found VOXC_PORTABLE_COMPILER)"
+readonly sysroot compiler
 if [ ! -e "$made/libmeshoptimizer.a" ] || [ ! -e "$made/libturbojpeg.a" ]; then
   mkdir -p "$made/lists/partial"
   apt-get indextargets --format '$(TARGET_OF) $(REPO_URI) $(RELEASE) $(COMPONENT)' |
@@ -43,7 +53,6 @@ if [ ! -e "$made/libmeshoptimizer.a" ] || [ ! -e "$made/libturbojpeg.a" ]; then
   apt-get "${options[@]}" update
   (cd "$made" && mesh_optimizer && turbo_jpeg)
 fi
-cmake --preset release -B "$build" > /dev/null
 cmake --build "$build" --target voxc-portable voxc-portable-program
 
 rm -rf "$build"/portable/{bin,lib}
@@ -52,4 +61,4 @@ cp "$build/portable/voxc-portable-program" "$build/portable/bin/voxc"
 cp "$build/portable/libvoxc-portable.so" "$build/portable/lib/libvoxc.so.0"
 ln -s libvoxc.so.0 "$build/portable/lib/libvoxc.so"
 # GLFW is loaded when a window opens. Debian's library asks for no newer system than voxc does, but for X11's.
-cp -L "$(cc -print-file-name=libglfw.so.3)" "$build/portable/lib/libglfw.so.3"
+cp -L "$("${compiler[@]}" -print-file-name=libglfw.so.3)" "$build/portable/lib/libglfw.so.3"

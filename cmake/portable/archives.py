@@ -1,4 +1,4 @@
-"""archives.py FOLDER COMPILER MADE: what -lNAME is to find in FOLDER in place of the system's shared libraries: archives, with all
+"""archives.py FOLDER MADE COMPILER...: what -lNAME is to find in FOLDER in place of the system's shared libraries: archives, with all
 archives that they need in their turn. MADE is where scripts/portable.sh has made those that Debian lacks."""
 import pathlib
 import subprocess
@@ -16,11 +16,11 @@ MADE = ["meshoptimizer", "turbojpeg"]
 
 
 def main():
-    folder, compiler, made = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
+    folder, made, compiler = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3:]
     for name, parts in ARCHIVES.items():
         paths = []
         for part in parts:
-            path = subprocess.run([compiler, f"-print-file-name=lib{part}.a"], capture_output=True, text=True, check=True).stdout.strip()
+            path = subprocess.run([*compiler, f"-print-file-name=lib{part}.a"], capture_output=True, text=True, check=True).stdout.strip()
             if not pathlib.Path(path).is_absolute():
                 sys.exit(f"lib{part}.a, which lib{name} needs, is missing; scripts/packages-full.txt has its package")
             paths.append(path)

@@ -1,4 +1,4 @@
-"""old_glibc.py FOLDER NEWEST COMPILER: libraries to link against in place of this machine's C library, which have no name and no version of
+"""old_glibc.py FOLDER NEWEST COMPILER...: libraries to link against in place of this machine's C library, which have no name and no version of
 a name that came after GLIBC_NEWEST (such as 2.28). What is linked so runs wherever the C library is that old or newer.
 
 A library of glibc keeps every version that a name ever had. Here each name is left with the newest that is old enough, as a
@@ -20,7 +20,7 @@ LOADER = {"x86_64": "ld-linux-x86-64.so.2", "aarch64": "ld-linux-aarch64.so.1"}
 
 
 def place(compiler, file):
-    return pathlib.Path(subprocess.run([compiler, f"-print-file-name={file}"], capture_output=True, text=True, check=True).stdout.strip())
+    return pathlib.Path(subprocess.run([*compiler, f"-print-file-name={file}"], capture_output=True, text=True, check=True).stdout.strip())
 
 
 def number(version):
@@ -59,14 +59,14 @@ def write(folder, file, names):
     text.append('.section .note.GNU-stack,"",@progbits')
     (folder / f"{file}.s").write_text("\n".join(text) + "\n")
     (folder / f"{file}.map").write_text("".join(f"{version} {{ }};\n" for version in versions) or "{ local: *; };\n")
-    subprocess.run([sys.argv[3], "-shared", "-nostdlib", "-fuse-ld=bfd", f"-Wl,-soname,{file}", f"-Wl,--version-script={folder / file}.map",
+    subprocess.run([*sys.argv[3:], "-shared", "-nostdlib", "-fuse-ld=bfd", f"-Wl,-soname,{file}", f"-Wl,--version-script={folder / file}.map",
                     "-o", folder / file, folder / f"{file}.s"], check=True)
 
 
 def main():
-    folder, newest, compiler = pathlib.Path(sys.argv[1]), number("GLIBC_" + sys.argv[2]), sys.argv[3]
+    folder, newest, compiler = pathlib.Path(sys.argv[1]), number("GLIBC_" + sys.argv[2]), sys.argv[3:]
     folder.mkdir(parents=True, exist_ok=True)
-    machine = subprocess.run([compiler, "-dumpmachine"], capture_output=True, text=True, check=True).stdout.partition("-")[0]
+    machine = subprocess.run([*compiler, "-dumpmachine"], capture_output=True, text=True, check=True).stdout.partition("-")[0]
     names, newer = names_of(place(compiler, LIBRARIES["c"]), newest)
     held = {library: {name: names[name] for name in newer & names.keys() if re.match(moved, name)} for library, moved in MOVED.items()}
     held["c"] = {name: row for name, row in names.items() if not any(name in moved for moved in held.values())}

@@ -12,8 +12,13 @@ import sys
 import time
 
 # Headers of these are of an interface that stays outside.
-OUTSIDE = {"libc6-dev", "linux-libc-dev"}
-DPKG = pathlib.Path("/var/lib/dpkg/info")
+OUTSIDE = {"libc6-dev", "linux-libc-dev", "libc6-dev-arm64-cross", "linux-libc-dev-arm64-cross"}
+
+
+def roots_of(build):
+    """Where packages are that voxc is made of: this system and, for another processor, what scripts/sysroot.sh has made."""
+    sysroots = re.findall(r"^VOXC_SYSROOT:\w+=(.+)$", (build / "CMakeCache.txt").read_text(), re.MULTILINE)
+    return [pathlib.Path(root) for root in [*sysroots, "/"]]
 
 
 def linked(build):
@@ -22,31 +27,37 @@ def linked(build):
 
 
 def included(build):
-    """The headers of the system that the compiler read for what is linked; those of tests are not."""
+    """The headers of packages that the compiler read for what is linked; those of tests are not."""
     headers, ours = set(), False
+    folders = tuple(f"{root / 'usr'}/" for root in roots_of(build))
     for line in subprocess.run(["ninja", "-C", build, "-t", "deps"], capture_output=True, text=True, check=True).stdout.splitlines():
         if not line.startswith(" "):
             ours = re.match(r"(lib|tools|apps|CMakeFiles/voxc-portable)/?.*\.o: ", line) is not None
-        elif ours and line.strip().startswith("/usr/"):
+        elif ours and line.strip().startswith(folders):
             headers.add(line.strip())
     return headers
 
 
-def owners(paths):
-    """The packages that these files are of."""
-    wanted, found = {str(pathlib.Path(path).resolve()) for path in paths}, set()
-    for listing in DPKG.glob("*.list"):
+def owners(paths, root):
+    """The packages in a root that files there are of."""
+    wanted, found = {f"/{path.relative_to(root)}" for path in paths}, set()
+    for listing in (root / "var/lib/dpkg/info").glob("*.list"):
         if not wanted.isdisjoint(listing.read_text().split("\n")):
             found.add(listing.stem.partition(":")[0])
     return found - OUTSIDE
 
 
-def installed(packages):
-    """(package, version, file of its copyright) of packages that are installed."""
-    names = "${Package} ${source:Package} ${source:Version}\n"
-    for line in subprocess.run(["dpkg-query", "-W", "-f", names, *sorted(packages)], capture_output=True, text=True, check=True).stdout.splitlines():
-        package, _, version = line.split()
-        yield package, version, pathlib.Path("/usr/share/doc") / package / "copyright"
+def installed(files, roots):
+    """(package, version, file of its copyright) of the packages that files are of, each in the first root that it lies in."""
+    left = {pathlib.Path(file).resolve() for file in files}
+    for root in roots:
+        here = {path for path in left if path.is_relative_to(root)}
+        left -= here
+        names = "${Package} ${source:Package} ${source:Version}\n"
+        query = ["dpkg-query", "--admindir", root / "var/lib/dpkg", "-W", "-f", names, *sorted(owners(here, root))]
+        for line in subprocess.run(query, capture_output=True, text=True, check=True).stdout.splitlines():
+            package, _, version = line.split()
+            yield package, version, root / "usr/share/doc" / package / "copyright"
 
 
 def made(build):
@@ -93,7 +104,7 @@ def bill(rows, version, moment):
 
 def main():
     build, folder, version, moment = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), sys.argv[3], int(sys.argv[4])
-    rows = sorted([*installed(owners(linked(build) | included(build))), *made(build)])
+    rows = sorted([*installed(linked(build) | included(build), roots_of(build)), *made(build)])
     folder.mkdir(parents=True, exist_ok=True)
     write_licences(folder / "licences", rows)
     (folder / "sbom.spdx.json").write_text(json.dumps(bill(rows, version, moment), indent=1) + "\n")

@@ -31,10 +31,10 @@ def of_libc(path):
 
 def needs(path):
     """What one file asks for, in words, and what of that is too much."""
-    dynamic, symbols = read("readelf", "--dynamic", "--wide", path), read("objdump", "--dynamic-syms", path)
+    dynamic, symbols = read("readelf", "--dynamic", "--wide", path), read("readelf", "--dyn-syms", "--wide", path)
     libraries = re.findall(r"\(NEEDED\).*\[(.*)\]", dynamic)
     folders = re.findall(r"\(R(?:UN)?PATH\).*\[(.*)\]", dynamic)
-    versions = set(re.findall(r"\*UND\*.*\b((?:GLIBC|GLIBCXX|CXXABI|GCC)_[A-Z0-9_.]+)", symbols))
+    versions = set(re.findall(r" UND \S*@((?:GLIBC|GLIBCXX|CXXABI|GCC)_[A-Z0-9_.]+)", symbols))
     numbers = {version: tuple(map(int, version[6:].split("."))) for version in versions if re.fullmatch(r"GLIBC_[0-9.]+", version)}
     # Relocations that are packed are no name, but an old loader would pass them over.
     packed = ["packed relocations, which glibc knows from 2.36 on"] if "(RELR)" in dynamic else []

@@ -7,7 +7,8 @@ import sys
 import time
 import zipfile
 
-TAG = "py3-none-manylinux_2_28_x86_64"
+# Of processors, as the head of a library numbers them.
+TAGS = {62: "py3-none-manylinux_2_28_x86_64", 183: "py3-none-manylinux_2_28_aarch64"}
 METADATA = """Metadata-Version: 2.1
 Name: voxc
 Version: {version}
@@ -21,7 +22,7 @@ Classifier: Topic :: Scientific/Engineering :: Visualization
 Description-Content-Type: text/markdown
 
 {text}"""
-WHEEL = f"Wheel-Version: 1.0\nGenerator: voxc\nRoot-Is-Purelib: false\nTag: {TAG}\n"
+WHEEL = "Wheel-Version: 1.0\nGenerator: voxc\nRoot-Is-Purelib: false\nTag: {tag}\n"
 
 
 class Wheel:
@@ -51,11 +52,18 @@ class Wheel:
         self.file.close()
 
 
+def tag_of(library):
+    """For what processor a library is, in the words of a wheel."""
+    with library.open("rb") as file:
+        return TAGS[int.from_bytes(file.read(20)[18:], "little")]
+
+
 def main():
     root, build, contents, folder = map(pathlib.Path, sys.argv[1:5])
     version, moment = sys.argv[5], int(sys.argv[6])
     info, data = f"voxc-{version}.dist-info", f"voxc-{version}.data"
-    path = folder / f"voxc-{version}-{TAG}.whl"
+    tag = tag_of(build / "portable/lib/libvoxc.so.0")
+    path = folder / f"voxc-{version}-{tag}.whl"
     wheel = Wheel(path, info, moment)
     wheel.add_folder(root / "python/voxc", "voxc")
     wheel.add_folder(build / "portable/lib", "voxc/lib", runs=True)
@@ -63,7 +71,7 @@ def main():
     wheel.add_folder(root / "tools/report", "voxc/share/voxc/report", kinds={".py", ".html", ".css", ".js"})
     wheel.add(f"{data}/scripts/voxc", (root / "scripts/portable/command.py").read_bytes(), runs=True)
     wheel.add(f"{info}/METADATA", METADATA.format(version=version, text=(root / "python/README.md").read_text()).encode())
-    wheel.add(f"{info}/WHEEL", WHEEL.encode())
+    wheel.add(f"{info}/WHEEL", WHEEL.format(tag=tag).encode())
     wheel.add(f"{info}/LICENSE", (root / "LICENSE").read_bytes())
     wheel.add_folder(contents, info)
     wheel.close()

@@ -1,5 +1,6 @@
 // Variants for several processors in one object keep to themselves, whatever the linker knows of equal
-// functions.
+// functions. Objects for x86-64 alone have variants.
+#ifdef __x86_64__
 #include "Jit/Variants.h"
 #include "Jit/Jit.h"
 
@@ -69,3 +70,4 @@ TEST(Variants, TellWhatIsWrongInAnyOfThem) {
 
 } // namespace
 } // namespace voxc
+#endif
