@@ -3,7 +3,7 @@
 #include "VolumeUse.h"
 #include "WordMutator.h"
 
-#include "Trace/CoarseTree.h"
+#include "Trace/Paging/CoarseTree.h"
 #include "Volume/VolumeFile.h"
 
 #include <algorithm>

@@ -25,7 +25,7 @@ ways=(
 
 sources() {
   find lib/Support lib/Source lib/Oracle lib/Mesh/Obj lib/Mesh/Ply lib/Mesh/Stl lib/Mesh/Solid \
-    lib/Mesh/Voxelize lib/Input/Points lib/Trace/Camera.cpp testing/HardRays testing/HardScenes.cpp testing/Digests -name '*.cpp' |
+    lib/Mesh/Voxelize lib/Input/Points lib/Trace/Rays/Camera.cpp testing/HardRays testing/HardScenes.cpp testing/Digests -name '*.cpp' |
     grep -v -E "lib/Source/(Export/|ReduceColours)|lib/Support/Platform/Windows"
   ls lib/Mesh/*.cpp lib/Input/Openers/InputText.cpp lib/Mesh/Image/TextureSet.cpp | grep -v SceneLoader
 }

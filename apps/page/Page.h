@@ -5,7 +5,7 @@
 #include "voxc/Support/Error.h"
 #include "voxc/Trace/Camera.h"
 #include "voxc/Trace/Clip.h"
-#include "voxc/Trace/Picture.h"
+#include "voxc/Render/Picture.h"
 #include "voxc/Volume/Volume.h"
 
 #include "page/CheckRays.h"

@@ -3,7 +3,7 @@
 
 #include "voxc/Support/Geometry.h"
 #include "voxc/Trace/Camera.h"
-#include "voxc/Trace/Picture.h"
+#include "voxc/Render/Picture.h"
 
 #include <cstddef>
 #include <string>

@@ -12,7 +12,7 @@
 #include "voxc/Trace/Face.h"
 #include "voxc/Trace/InstancedTracer.h"
 #include "voxc/Trace/Kernel.h"
-#include "voxc/Trace/Picture.h"
+#include "voxc/Render/Picture.h"
 #include "voxc/Trace/Tracer.h"
 #include "voxc/Volume/PagedVolume.h"
 #include "voxc/Volume/Volume.h"

@@ -1,7 +1,7 @@
 // Surfaces of hits.
 #include "Surface.h"
 
-#include "Trace/EntryFace.h"
+#include "Trace/Rays/EntryFace.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,5 +1,5 @@
 // Puts, for each ray that is not done, the next instances that it may hit before the kernels of their volumes.
-// One invocation a ray. The method is that of lib/Trace/InstanceTree.h, where it is proved.
+// One invocation a ray. The method is that of lib/Trace/Instances/InstanceTree.h, where it is proved.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "world.glsl"
@@ -168,7 +168,7 @@ uint nearest_float(double value) {
   return sign | bits;
 }
 
-// A point, or with 0 in place of 1 a direction, in the voxels of an instance: as lib/Trace/InstanceRounds.cpp has it.
+// A point, or with 0 in place of 1 a direction, in the voxels of an instance: as lib/Trace/Instances/InstanceRounds.cpp has it.
 uvec3 there(uint instance, uvec3 bits, double one) {
   uvec3 result;
   for (uint row = 0u; row < 3u; ++row) {

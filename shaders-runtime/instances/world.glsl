@@ -1,5 +1,5 @@
 // What the kernels of instances have in common: the world's instances, and what is known of each ray between rounds.
-// Words of all kinds lie in buffers of uints; lib/Trace/InstanceLayout.h has the same layouts.
+// Words of all kinds lie in buffers of uints; lib/Trace/Instances/InstanceLayout.h has the same layouts.
 
 layout(local_size_x = 64) in;
 
@@ -154,7 +154,7 @@ double distance_to_all(dvec3 origin) {
   return length(max(abs(low - origin), abs(high - origin))) * (1.0lf + 1.0lf / 1048576.0lf);
 }
 
-// A moment of the scaled ray shortly before it comes to what it can hit: `startOf` of lib/Trace/InstanceTree.cpp.
+// A moment of the scaled ray shortly before it comes to what it can hit: `startOf` of lib/Trace/Instances/InstanceTree.cpp.
 float start_of(uint at) {
   uvec3 bits = direction_of(at);
   dvec3 origin = exact(origin_of(at)), direction = dvec3(scaled_direction(bits));

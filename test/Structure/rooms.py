@@ -22,6 +22,8 @@ class House:
 
     def room_of(self, room, header):
         """The room that a header in quotes belongs to, be it allowed or not; None if that is not this house's matter."""
+        rest = header.removeprefix(self.root.name + "/")  # As a part names its own rooms.
+        header = rest if rest.split("/")[0] in self.rooms else header
         folder = header.split("/")[0] if "/" in header else None
         is_own = folder is None or folder == "voxc" or (self.root / room / folder).is_dir()
         is_beside = self.root.parent != self.tree and (self.root.parent / str(folder)).is_dir()

@@ -1,7 +1,7 @@
 // Pictures as JPEG.
 #pragma once
 
-#include "voxc/Trace/Picture.h"
+#include "voxc/Render/Picture.h"
 
 #include <string>
 

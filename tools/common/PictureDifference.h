@@ -1,7 +1,7 @@
 // How far a picture is from the one that it stands for.
 #pragma once
 
-#include "voxc/Trace/Picture.h"
+#include "voxc/Render/Picture.h"
 
 namespace voxc::tool {
 

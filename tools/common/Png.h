@@ -2,7 +2,7 @@
 #pragma once
 
 #include "voxc/Support/Error.h"
-#include "voxc/Trace/Picture.h"
+#include "voxc/Render/Picture.h"
 
 #include <string>
 

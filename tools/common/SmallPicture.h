@@ -1,7 +1,7 @@
 // Pictures made small enough to lie inside a page.
 #pragma once
 
-#include "voxc/Trace/Picture.h"
+#include "voxc/Render/Picture.h"
 
 #include <cstddef>
 #include <string>

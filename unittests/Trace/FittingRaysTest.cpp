@@ -1,5 +1,5 @@
 // Rays that are made to fit a kernel: what they become, and that the memory for them stays.
-#include "Trace/FittingRays.h"
+#include "Trace/Rays/FittingRays.h"
 
 #include <gtest/gtest.h>
 

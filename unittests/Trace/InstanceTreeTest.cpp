@@ -1,5 +1,5 @@
 // The hierarchy over instances: it leaves out none that a ray hits, however instances and rays lie.
-#include "Trace/InstanceTree.h"
+#include "Trace/Instances/InstanceTree.h"
 
 #include "Instances.h"
 

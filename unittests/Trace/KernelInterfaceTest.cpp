@@ -1,6 +1,6 @@
 // What is told of a kernel's interface is what its module has.
 #include "voxc/Trace/KernelInterface.h"
-#include "Trace/Spirv.h"
+#include "Trace/Kernel/Spirv.h"
 #include "voxc/Kernel/Compile.h"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // Traversals that a kernel gave up are an error, never a miss.
-#include "Trace/Nontermination.h"
+#include "Trace/Kernel/Nontermination.h"
 
 #include <gtest/gtest.h>
 

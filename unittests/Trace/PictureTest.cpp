@@ -1,5 +1,5 @@
 // Pictures of hits that are known.
-#include "voxc/Trace/Picture.h"
+#include "voxc/Render/Picture.h"
 
 #include <gtest/gtest.h>
 

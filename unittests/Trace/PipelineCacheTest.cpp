@@ -1,7 +1,7 @@
 // What a driver made of a kernel is given to it again: the right driver, whole, and nobody else's.
 #include "TestHost.h"
 
-#include "Trace/PipelineCache.h"
+#include "Trace/Vulkan/PipelineCache.h"
 #include "voxc/Kernel/Compile.h"
 #include "voxc/Kernel/OpenTracer.h"
 #include "voxc/Support/File.h"

@@ -2,7 +2,7 @@
 #include "voxc/Trace/RayOrder.h"
 #include "voxc/Trace/CpuKernel.h"
 
-#include "Trace/OrderChoice.h"
+#include "Trace/Rays/OrderChoice.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include "voxc/Support/FunctionRef.h"
 #include "voxc/Trace/Camera.h"
 #include "voxc/Trace/Clip.h"
-#include "voxc/Trace/Picture.h"
+#include "voxc/Render/Picture.h"
 #include "voxc/Trace/Tracer.h"
 #include "voxc/Volume/Volume.h"
 

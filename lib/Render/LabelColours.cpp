@@ -1,5 +1,5 @@
 // Hits on labels in the colours of these.
-#include "voxc/Trace/Picture.h"
+#include "voxc/Render/Picture.h"
 
 #include "voxc/Volume/LabelColour.h"
 

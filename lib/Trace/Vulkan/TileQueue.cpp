@@ -1,7 +1,7 @@
 // Runs a kernel over the rays on the device in tiles.
 #include "TileQueue.h"
 
-#include "Clock.h"
+#include "Trace/Rays/Clock.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,9 +1,9 @@
 // A tracer on a Vulkan device.
 #pragma once
 
-#include "FittingRays.h"
 #include "RayBuffers.h"
 #include "TileQueue.h"
+#include "Trace/Rays/FittingRays.h"
 #include "Transfer.h"
 #include "VolumeWords.h"
 

@@ -2,7 +2,7 @@
 #include "voxc/Trace/KernelInterface.h"
 
 #include "Capabilities.h"
-#include "Spirv.h"
+#include "Trace/Kernel/Spirv.h"
 #include "TracePipeline.h"
 
 #include "voxc/Trace/BoundedRay.h"

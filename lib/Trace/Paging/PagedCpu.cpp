@@ -1,6 +1,6 @@
 // Paged tracing on this processor.
-#include "Clock.h"
 #include "PagedRounds.h"
+#include "Trace/Rays/Clock.h"
 
 #include "Support/ParallelFor.h"
 

@@ -2,7 +2,7 @@
 // shaders-runtime/instances.
 #pragma once
 
-#include "ComputeLayout.h"
+#include "Trace/Vulkan/ComputeLayout.h"
 
 #include <array>
 #include <cstdint>

@@ -1,11 +1,11 @@
 // Paged tracing on any back end.
 #include "PagedRounds.h"
 
-#include "Clock.h"
 #include "CoarseRounds.h"
-#include "FittingRays.h"
-#include "KernelFit.h"
-#include "Nontermination.h"
+#include "Trace/Kernel/KernelFit.h"
+#include "Trace/Kernel/Nontermination.h"
+#include "Trace/Rays/Clock.h"
+#include "Trace/Rays/FittingRays.h"
 
 #include <algorithm>
 #include <optional>

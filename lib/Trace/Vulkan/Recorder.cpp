@@ -3,8 +3,8 @@
 
 #include "Capabilities.h"
 #include "DeviceVolume.h"
-#include "KernelFit.h"
 #include "RecorderState.h"
+#include "Trace/Kernel/KernelFit.h"
 
 #include <algorithm>
 #include <limits>

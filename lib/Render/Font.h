@@ -1,7 +1,7 @@
 // Short texts drawn into pictures.
 #pragma once
 
-#include "voxc/Trace/Picture.h"
+#include "voxc/Render/Picture.h"
 
 #include <cstdint>
 #include <string_view>

@@ -1,7 +1,7 @@
 // What kernels may ask of a device beyond plain Vulkan 1.2.
 #include "Capabilities.h"
 
-#include "Spirv.h"
+#include "Trace/Kernel/Spirv.h"
 
 #include <algorithm>
 

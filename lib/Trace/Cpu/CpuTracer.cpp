@@ -1,9 +1,9 @@
 // A tracer on this processor: threads that take chunks of the rays as they come.
-#include "Clock.h"
-#include "FittingRays.h"
-#include "KernelFit.h"
-#include "Nontermination.h"
-#include "OrderedTracer.h"
+#include "Trace/Kernel/KernelFit.h"
+#include "Trace/Kernel/Nontermination.h"
+#include "Trace/Rays/Clock.h"
+#include "Trace/Rays/FittingRays.h"
+#include "Trace/Rays/OrderedTracer.h"
 
 #include "Support/ParallelFor.h"
 #include "Support/Platform/Memory.h"

@@ -1,10 +1,10 @@
 // Paged tracing on a Vulkan device.
-#include "Capabilities.h"
-#include "Clock.h"
 #include "PagedRounds.h"
-#include "RayBuffers.h"
-#include "TileQueue.h"
-#include "Transfer.h"
+#include "Trace/Rays/Clock.h"
+#include "Trace/Vulkan/Capabilities.h"
+#include "Trace/Vulkan/RayBuffers.h"
+#include "Trace/Vulkan/TileQueue.h"
+#include "Trace/Vulkan/Transfer.h"
 
 #include <algorithm>
 #include <optional>

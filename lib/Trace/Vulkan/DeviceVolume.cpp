@@ -1,7 +1,7 @@
 // The words of a volume on a device, where kernels read them.
 #include "DeviceVolume.h"
 
-#include "KernelFit.h"
+#include "Trace/Kernel/KernelFit.h"
 
 #include <algorithm>
 #include <string>

@@ -1,13 +1,13 @@
 // Traces through many instances that a program records into its own command buffers.
 #include "voxc/Trace/InstancedRecorder.h"
 
-#include "Commands.h"
-#include "DeviceVolume.h"
 #include "InstanceKernels.h"
 #include "InstanceLayout.h"
 #include "InstancePlaces.h"
-#include "RecorderState.h"
-#include "Transfer.h"
+#include "Trace/Vulkan/Commands.h"
+#include "Trace/Vulkan/DeviceVolume.h"
+#include "Trace/Vulkan/RecorderState.h"
+#include "Trace/Vulkan/Transfer.h"
 
 #include <algorithm>
 #include <string>

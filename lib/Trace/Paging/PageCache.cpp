@@ -1,8 +1,8 @@
 // Which pages of a volume are resident.
 #include "PageCache.h"
 
-#include "Clock.h"
-#include "VulkanError.h"
+#include "Trace/Rays/Clock.h"
+#include "Trace/Vulkan/VulkanError.h"
 
 #include "Support/ParallelFor.h"
 

@@ -2,11 +2,11 @@
 #include "VulkanTracer.h"
 
 #include "Capabilities.h"
-#include "Clock.h"
-#include "KernelFit.h"
-#include "Nontermination.h"
-#include "OrderedTracer.h"
 #include "RayOrigins.h"
+#include "Trace/Kernel/KernelFit.h"
+#include "Trace/Kernel/Nontermination.h"
+#include "Trace/Rays/Clock.h"
+#include "Trace/Rays/OrderedTracer.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // Pictures shaded by face.
 #include "Colour.h"
-#include "EntryFace.h"
+#include "Trace/Rays/EntryFace.h"
 
-#include "voxc/Trace/Picture.h"
+#include "voxc/Render/Picture.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // One ray through a volume, on this thread.
-#include "KernelFit.h"
-#include "Nontermination.h"
+#include "Trace/Kernel/KernelFit.h"
+#include "Trace/Kernel/Nontermination.h"
 
 #include "voxc/Trace/CpuKernel.h"
 

@@ -2,7 +2,7 @@
 #include "Colour.h"
 #include "Font.h"
 
-#include "voxc/Trace/Picture.h"
+#include "voxc/Render/Picture.h"
 
 #include <algorithm>
 #include <cmath>
