@@ -2,10 +2,10 @@
 #pragma once
 
 #include "voxc/Oracle/Oracle.h"
+#include "voxc/Render/Picture.h"
 #include "voxc/Support/Error.h"
 #include "voxc/Trace/Camera.h"
 #include "voxc/Trace/Clip.h"
-#include "voxc/Render/Picture.h"
 #include "voxc/Volume/Volume.h"
 
 #include "page/CheckRays.h"

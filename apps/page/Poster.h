@@ -1,9 +1,9 @@
 // The picture that stands on a page until a browser has made its own.
 #pragma once
 
+#include "voxc/Render/Picture.h"
 #include "voxc/Support/Geometry.h"
 #include "voxc/Trace/Camera.h"
-#include "voxc/Render/Picture.h"
 
 #include <cstddef>
 #include <string>

@@ -1,8 +1,8 @@
 // Brings a picture and what ImGui draws over it to a window, by Vulkan.
 #pragma once
 
-#include "voxc/Support/Error.h"
 #include "voxc/Render/Picture.h"
+#include "voxc/Support/Error.h"
 
 #include <memory>
 #include <string>

@@ -3,6 +3,7 @@
 
 #include "voxc/IR/Format.h"
 #include "voxc/IR/Query.h"
+#include "voxc/Render/Picture.h"
 #include "voxc/Render/Render.h"
 #include "voxc/Render/View.h"
 #include "voxc/Support/Error.h"
@@ -12,7 +13,6 @@
 #include "voxc/Trace/Face.h"
 #include "voxc/Trace/InstancedTracer.h"
 #include "voxc/Trace/Kernel.h"
-#include "voxc/Render/Picture.h"
 #include "voxc/Trace/Tracer.h"
 #include "voxc/Volume/PagedVolume.h"
 #include "voxc/Volume/Volume.h"

@@ -1,8 +1,8 @@
 // Pictures as files: PNG, JPEG or OpenEXR, as the name says.
 #pragma once
 
-#include "voxc/Support/Error.h"
 #include "voxc/Render/Picture.h"
+#include "voxc/Support/Error.h"
 
 #include <span>
 #include <string>

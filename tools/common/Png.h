@@ -1,8 +1,8 @@
 // Pictures as PNG files.
 #pragma once
 
-#include "voxc/Support/Error.h"
 #include "voxc/Render/Picture.h"
+#include "voxc/Support/Error.h"
 
 #include <string>
 

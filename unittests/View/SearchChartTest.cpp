@@ -10,8 +10,8 @@
 namespace voxc::view {
 namespace {
 
-using ::testing::ElementsAre;
 using measure::Record;
+using ::testing::ElementsAre;
 
 Record record(const std::string &format, std::uint64_t bytes, double mraysPerS, const std::string &set = "a",
               std::vector<std::string> passes = {}) {

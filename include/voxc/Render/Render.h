@@ -1,13 +1,13 @@
 // Pictures of a volume: rays through pixels, rays to the sun and the sky, and what becomes of them.
 #pragma once
 
+#include "voxc/Render/Picture.h"
 #include "voxc/Render/Style.h"
 #include "voxc/Render/SurfaceNormals.h"
 #include "voxc/Support/Error.h"
 #include "voxc/Support/FunctionRef.h"
 #include "voxc/Trace/Camera.h"
 #include "voxc/Trace/Clip.h"
-#include "voxc/Render/Picture.h"
 #include "voxc/Trace/Tracer.h"
 #include "voxc/Volume/Volume.h"
 
