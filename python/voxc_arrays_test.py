@@ -237,6 +237,11 @@ class Notebooks(unittest.TestCase):
             voxc.search("builtin:terrain", resolution=64, device="cpu", progress=stop)
         with self.assertRaisesRegex(voxc.UsageError, "ended before one format was measured"):
             voxc.search("builtin:terrain", budget=1e-6, resolution=64, device="cpu")
+        for seconds in (-1, float("inf"), float("nan")):
+            with self.assertRaisesRegex(voxc.UsageError, "takes seconds, more than 0"):
+                voxc.search("builtin:terrain", budget=seconds, resolution=64, device="cpu")
+        with self.assertRaisesRegex(ValueError, "more than 0"):
+            voxc.search("builtin:terrain", budget=0, resolution=64)
         with self.assertRaisesRegex(TypeError, "did you mean resolution"):
             voxc.search("builtin:terrain", resolutoin=64)
 

@@ -31,7 +31,7 @@ FormatQuestion questionOf(const voxc_choice_options &options, const char *device
                           .rays = {rays, rays + options.ray_count},
                           .editable = options.editable != 0,
                           .threads = options.threads};
-  if (options.seconds > 0)
+  if (options.seconds != 0)
     question.seconds = options.seconds;
   return question;
 }

@@ -1,8 +1,7 @@
 // Tracers in C whose kernels are compiled, and pictures.
 #include "C/FormatHandle.h"
 #include "voxc/IR/Query.h"
-#include "voxc/Kernel/Compile.h"
-#include "voxc/Kernel/CompileCpu.h"
+#include "voxc/Kernel/OpenTracer.h"
 #include "voxc/Render/View.h"
 
 using namespace voxc;
@@ -47,23 +46,6 @@ Expected<Format> kernelFormat(const Volume &volume, const voxc_tracer_options &o
   return format;
 }
 
-Expected<std::unique_ptr<Tracer>> compileTracer(voxc_tracer &made) {
-  if (!made.device) {
-    const Expected<CpuKernel> kernel = compileCpuKernel(made.format);
-    if (!kernel)
-      return kernel.error();
-    return createCpuTracer(*kernel, *made.volume, made.threads);
-  }
-  const DeviceInfo &device = made.device->info();
-  const Expected<Kernel> kernel =
-      compileKernel(made.format, {.addressing = made.device->addressingFor(*made.volume),
-                                  .loops = device.loops,
-                                  .arithmetic = device.arithmetic});
-  if (!kernel)
-    return kernel.error();
-  return createTracer(*made.device, *kernel, *made.volume, made.threads);
-}
-
 } // namespace
 
 voxc_error *voxc_tracer_create(const voxc_volume *volume, const voxc_tracer_options *options,
@@ -83,10 +65,11 @@ voxc_error *voxc_tracer_create(const voxc_volume *volume, const voxc_tracer_opti
       return wrap(device.error());
     made->device = std::move(*device);
     made->deviceName = made->device ? made->device->info().name : processor.name;
-    auto opened = compileTracer(*made);
+    auto opened = openTracerOn(
+        *made->volume, {.openDevice = made->device.get(), .threads = made->threads, .format = made->format});
     if (!opened)
       return wrap(opened.error());
-    made->tracer = std::move(*opened);
+    made->tracer = std::move(opened->tracer);
     *tracer = made.release();
     return nullptr;
   });

@@ -51,10 +51,13 @@ Expected<Kernel> compileFor(const DeviceInfo &device, const Format &format, Addr
                                 .cache = choice.cache});
 }
 
-/// Compiles by `compile`, makes a tracer of the kernel by `make`, and takes both times.
+/// Compiles by `compile`, makes a tracer of the kernel by `make`, and takes the times. `addressing` is that
+/// of a device: this processor reads the volume where it lies, and pages come later, so neither has an
+/// upload.
 template <typename SomeTracer>
-Expected<OpenedTracer<SomeTracer>> timed(const auto &compile, const auto &make) {
-  OpenedTracer<SomeTracer> opened;
+Expected<OpenedTracer<SomeTracer>> timed(std::optional<Addressing> addressing, const auto &compile,
+                                         const auto &make) {
+  OpenedTracer<SomeTracer> opened{.addressing = addressing};
   const Stopwatch compiling;
   const auto kernel = compile();
   if (!kernel)
@@ -65,23 +68,8 @@ Expected<OpenedTracer<SomeTracer>> timed(const auto &compile, const auto &make) 
   if (!tracer)
     return tracer.error();
   opened.tracer = std::move(*tracer);
-  opened.uploadSeconds = making.seconds();
-  return opened;
-}
-
-/// What does not hold on this processor, which reads the volume where it lies.
-template <typename SomeTracer>
-Expected<OpenedTracer<SomeTracer>> withoutUpload(Expected<OpenedTracer<SomeTracer>> opened) {
-  if (opened)
-    opened->uploadSeconds.reset();
-  return opened;
-}
-
-template <typename SomeTracer>
-Expected<OpenedTracer<SomeTracer>> addressedBy(Addressing addressing,
-                                               Expected<OpenedTracer<SomeTracer>> opened) {
-  if (opened)
-    opened->addressing = addressing;
+  if (addressing && addressing != Addressing::Paged)
+    opened.uploadSeconds = making.seconds();
   return opened;
 }
 
@@ -91,15 +79,13 @@ Expected<OpenedTracer<Tracer>> openTracerOn(const Volume &volume, const TracerCh
   const Format &format = formatOf(volume, choice);
   Device *const device = choice.openDevice;
   if (!device)
-    return withoutUpload(timed<Tracer>(
-        [&] { return compileForCpu(format, Addressing::Buffer, choice); },
-        [&](const CpuKernel &kernel) { return createCpuTracer(kernel, volume, choice.threads); }));
+    return timed<Tracer>(
+        std::nullopt, [&] { return compileForCpu(format, Addressing::Buffer, choice); },
+        [&](const CpuKernel &kernel) { return createCpuTracer(kernel, volume, choice.threads); });
   const Addressing addressing = device->addressingFor(volume);
-  return addressedBy(addressing,
-                     timed<Tracer>([&] { return compileFor(device->info(), format, addressing, choice); },
-                                   [&](const Kernel &kernel) {
-                                     return createTracer(*device, kernel, volume, choice.threads);
-                                   }));
+  return timed<Tracer>(
+      addressing, [&] { return compileFor(device->info(), format, addressing, choice); },
+      [&](const Kernel &kernel) { return createTracer(*device, kernel, volume, choice.threads); });
 }
 
 Expected<OpenedTracer<PagedTracer>> openTracerOn(const PagedVolume &volume, const Format &format,
@@ -109,15 +95,12 @@ Expected<OpenedTracer<PagedTracer>> openTracerOn(const PagedVolume &volume, cons
   Device *const device = choice.openDevice;
   constexpr Addressing kPaged = Addressing::Paged;
   if (!device)
-    return withoutUpload(timed<PagedTracer>(
-        [&] { return compileForCpu(format, kPaged, choice); },
-        [&](const CpuKernel &kernel) { return createPagedCpuTracer(kernel, volume, options); }));
-  // Pages come later: there is nothing to upload.
-  return addressedBy(kPaged, withoutUpload(timed<PagedTracer>(
-                                 [&] { return compileFor(device->info(), format, kPaged, choice); },
-                                 [&](const Kernel &kernel) {
-                                   return createPagedTracer(*device, kernel, volume, options);
-                                 })));
+    return timed<PagedTracer>(
+        std::nullopt, [&] { return compileForCpu(format, kPaged, choice); },
+        [&](const CpuKernel &kernel) { return createPagedCpuTracer(kernel, volume, options); });
+  return timed<PagedTracer>(
+      kPaged, [&] { return compileFor(device->info(), format, kPaged, choice); },
+      [&](const Kernel &kernel) { return createPagedTracer(*device, kernel, volume, options); });
 }
 
 Expected<std::unique_ptr<Tracer>> openTracer(const Volume &volume, const TracerChoice &choice) {

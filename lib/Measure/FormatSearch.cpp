@@ -75,7 +75,8 @@ Expected<void> FormatSearch::measure(Explored explored, const std::vector<Record
   acquisition_ = std::make_unique<Acquisition>(
       std::move(explored.formats), model_,
       AcquisitionOptions{.mostBytes = mostBytes, .leastSpeed = options_.leastSpeed});
-  auto session = MeasurementSession::create(*scene_, sets_, options_.measurement, budget.within(progress));
+  auto session =
+      MeasurementSession::create(*scene_, std::move(sets_), options_.measurement, budget.within(progress));
   if (!session)
     return session.error();
   session_ = std::move(*session);

@@ -18,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array<int, 2> kOverviewSize{480, 270};
+constexpr double kMostSeconds = 1e9;
 /// Several volumes of a batch lie in memory together, on a device too.
 constexpr std::uint64_t kShareOfMemory = 12;
 
@@ -75,11 +76,9 @@ FormatSpeed measuredSpeed(const measure::Record &record) {
 }
 
 /// A row for each format, in the order in which they were first measured.
-FormatTable tableOf(const SearchScene &scene, const std::vector<measure::MeasuredSet> &sets,
+FormatTable tableOf(const SearchScene &scene, std::vector<std::string> sets,
                     const std::vector<measure::Record> &records, const measure::SearchVerdict &verdict) {
-  FormatTable table{.voxels = scene.voxels};
-  for (const measure::MeasuredSet &set : sets)
-    table.sets.push_back(set.part.name);
+  FormatTable table{.voxels = scene.voxels, .sets = std::move(sets)};
   std::map<std::pair<std::string, std::vector<std::string>>, std::size_t> places;
   const auto rowOf = [&](const measure::Record &record) -> FormatRow & {
     return table.rows[places.at({record.format.name, record.format.passes})];
@@ -126,9 +125,12 @@ measure::FormatSearchOptions optionsOf(const FormatQuestion &question, const Wis
 Expected<FormatTable> search(const SearchScene &scene, std::vector<Candidate> seeds,
                              const FormatQuestion &question, const measure::FormatSearchOptions &options,
                              const measure::TimeBudget &budget, const Progress &progress) {
-  const std::vector<measure::MeasuredSet> sets = setsOf(scene, question);
+  std::vector<measure::MeasuredSet> sets = setsOf(scene, question);
+  std::vector<std::string> names;
+  for (const measure::MeasuredSet &set : sets)
+    names.push_back(set.part.name);
   const Error none = explainNone(seeds, scene);
-  measure::FormatSearch search(scene, sets, options);
+  measure::FormatSearch search(scene, std::move(sets), options);
   Explored explored = search.explore(std::move(seeds), budget, progress);
   if (progress.stopped())
     return Error::interrupted();
@@ -148,13 +150,15 @@ Expected<FormatTable> search(const SearchScene &scene, std::vector<Candidate> se
   static_cast<void>(measure::keepSpeedModel(
       measure::devicePart(options.measurement.device, options.measurement.threads).name,
       search.acquisition()->model()));
-  return tableOf(scene, sets, records, search.verdict(records));
+  return tableOf(scene, std::move(names), records, search.verdict(records));
 }
 
 } // namespace
 
 Expected<FormatTable> searchFormats(const SourceOpener &open, const FormatQuestion &question,
                                     const Progress &progress) {
+  if (!(question.seconds > 0 && question.seconds < kMostSeconds))
+    return Error::usage("a search takes seconds, more than 0 and less than 1e9");
   const measure::TimeBudget budget(question.seconds);
   auto wish = measure::wishOf(question);
   if (!wish)

@@ -47,6 +47,8 @@ def search(input: Union[str, os.PathLike], budget: Optional[float] = None, *, ob
     failure                                                   why there are no speeds; None: there are
 
     `device` is the best one by default, and `precision` "exact". The records and the page of `voxc search -o FOLDER` are the program's."""
+    if budget == 0:
+        raise ValueError("a budget is seconds, more than 0")
     return _rows(c.lib.voxc_search, "search", input, input_options, progress, _measured,
                  dict(objective=objective, max_bytes=max_bytes, device=device, precision=precision, formats=formats, rays=rays,
                       seconds=budget, threads=threads, memory_bytes=memory_bytes))

@@ -33,9 +33,9 @@ public:
   /// Rates the seeds, and what rewriting makes of those near the frontier. What the budget ends is left out.
   Explored explore(std::vector<Candidate> seeds, const TimeBudget &budget, const Progress &progress) const;
 
-  /// Measures formats of those that were rated, of which there is one at least, after what is `known` of an
-  /// earlier search. Errors: `Interrupted`, by the budget while exact hits are found, or by the caller, with
-  /// which everything that was found is there; those of `keep`.
+  /// Measures once formats of those that were rated, of which there is one at least, after what is `known` of
+  /// an earlier search. Errors: `Interrupted`, by the budget while exact hits are found, or by the caller,
+  /// with which everything that was found is there; those of `keep`.
   Expected<void> measure(Explored explored, const std::vector<Record> &known, const KeepRecord &keep,
                          const TimeBudget &budget, const Progress &progress);
 
@@ -48,7 +48,7 @@ public:
 
 private:
   const SearchScene *scene_;
-  std::vector<MeasuredSet> sets_;
+  std::vector<MeasuredSet> sets_; ///< Until they are measured by.
   FormatSearchOptions options_;
   SpeedModel model_;
   std::vector<RaySet> simulated_;

@@ -56,7 +56,7 @@ struct FormatQuestion {
   std::vector<Ray> rays; ///< That will be traced, 8 at least; empty: those of a camera that sees everything,
                          ///< and rays from where they hit that go anywhere.
   bool editable = false; ///< Of a prediction: only formats whose volumes can be edited in place.
-  double seconds = 180;  ///< That a search may take.
+  double seconds = 180;  ///< That a search may take, below 1e9.
   unsigned threads = 0;  ///< That build, and of a device that is this processor; 0: all.
   std::shared_ptr<WorkingMemory> memory; ///< Null: as much as building takes by default.
   std::string name = "the scene";        ///< What errors call the scene.
@@ -74,8 +74,8 @@ Expected<FormatTable> suggestFormats(const SourceOpener &open, const FormatQuest
 
 /// Builds and measures those formats that promise most, in a folder that is there for the while. What is
 /// learned of the device is kept in the user's cache, for the next search and for predictions. Errors also:
-/// the seconds are too few for one format (`Usage`); there is no such device, or no memory for the scene's
-/// colours (`Environment`).
+/// the seconds are none, or too few for one format (`Usage`); there is no such device, or no memory for the
+/// scene's colours (`Environment`).
 Expected<FormatTable> searchFormats(const SourceOpener &open, const FormatQuestion &question,
                                     const Progress &progress = {});
 
