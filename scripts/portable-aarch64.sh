@@ -4,7 +4,7 @@
 # the wheel for this machine makes here.
 #
 # Usage: scripts/portable-aarch64.sh FOLDER
-# FOLDER has both wheels (scripts/wheel.sh). Needs root and qemu-user-static (scripts/packages-full.txt).
+# FOLDER has both wheels (scripts/wheel.sh). Needs root, and Debian's package qemu-user-static.
 cd "$(dirname "$0")/.."
 source scripts/lib.sh
 [ $# -eq 1 ] || fail "usage: scripts/portable-aarch64.sh FOLDER"
