@@ -49,11 +49,9 @@ std::vector<std::string> BenchReportCommand::arguments() const {
 
 Expected<void> BenchReportCommand::run() {
   ProgressBar bar(true);
-  const auto notes = runPythonProgram("bench-report.py", arguments(), bar.progress());
-  if (!notes)
-    return notes.error();
+  const auto notes = VOXC_TRY(runPythonProgram("bench-report.py", arguments(), bar.progress()));
   if (!quiet_)
-    for (const std::string &note : *notes)
+    for (const std::string &note : notes)
       printNote(note);
   return {};
 }

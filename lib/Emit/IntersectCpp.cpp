@@ -10,7 +10,6 @@
 #include "voxc/Emit/Emit.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <set>
 

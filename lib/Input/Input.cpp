@@ -154,15 +154,12 @@ Expected<Input> openInput(const std::string &input, const InputOptions &options)
   InputOptions withMemory = options;
   if (!withMemory.memory)
     withMemory.memory = WorkingMemory::createDefault();
-  Expected<Input> opened = dispatch(input, withMemory);
-  if (!opened)
-    return opened;
-  tellSpacing(input, options, *opened);
-  if (opened->words != options.materialWords)
+  auto opened = VOXC_TRY(dispatch(input, withMemory));
+  tellSpacing(input, options, opened);
+  if (opened.words != options.materialWords)
     return Error::input("'" + input + "' says nothing of light and metal; meshes and .vox files do");
-  if (auto changed = applyChanges(*opened, withMemory); !changed)
-    return changed.error();
-  const Int3 extent = opened->source->extent();
+  VOXC_TRY(applyChanges(opened, withMemory));
+  const Int3 extent = opened.source->extent();
   const Int3 holds = options.formatExtent;
   if (extent.x > holds.x || extent.y > holds.y || extent.z > holds.z)
     return Error::input("'" + input + "' takes " + toText(extent) + " voxels, but the format holds " +

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <iterator>
 #include <system_error>
 
 namespace voxc {
@@ -98,16 +97,11 @@ std::string problemOfUnit(const std::string &text) {
 
 Expected<void> checkInputValues(const InputArguments &arguments) {
   for (const ChoiceRow &row : choices())
-    if (auto checked = checkChoice(row, arguments.*row.value); !checked)
-      return checked;
-  if (auto checked = checkNumber("--resolution", arguments.resolution, 1 << kMaxLog2Extent); !checked)
-    return checked;
-  if (auto checked = checkNumber("--volume", arguments.volume, kMostVolumes); !checked)
-    return checked;
-  if (auto checked = checkText(arguments.voxelSize, problemOfVoxelSize); !checked)
-    return checked;
-  if (auto checked = checkText(arguments.unit, problemOfUnit); !checked)
-    return checked;
+    VOXC_TRY(checkChoice(row, arguments.*row.value));
+  VOXC_TRY(checkNumber("--resolution", arguments.resolution, 1 << kMaxLog2Extent));
+  VOXC_TRY(checkNumber("--volume", arguments.volume, kMostVolumes));
+  VOXC_TRY(checkText(arguments.voxelSize, problemOfVoxelSize));
+  VOXC_TRY(checkText(arguments.unit, problemOfUnit));
   return checkText(arguments.fillColour, problemOfFillColour);
 }
 

@@ -5,8 +5,6 @@
 
 #include "voxc/Layout/SlotKind.h"
 
-#include <algorithm>
-
 namespace voxc {
 namespace {
 

@@ -107,8 +107,7 @@ Expected<Plan> makePlan(const Format &format, const PlanOptions &options) {
   Plan plan = lowerToPlan(format, options);
   std::vector<const PlanPass *> all;
   std::ranges::transform(kPasses, std::back_inserter(all), [](const PlanPass &pass) { return &pass; });
-  if (auto passed = runPlanPasses(plan, all); !passed)
-    return passed.error();
+  VOXC_TRY(runPlanPasses(plan, all));
   return plan;
 }
 

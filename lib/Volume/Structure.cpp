@@ -55,8 +55,7 @@ public:
   }
 
   Expected<std::uint64_t> run() {
-    if (auto sized = checkSize(); !sized)
-      return sized.error();
+    VOXC_TRY(checkSize());
     const std::uint32_t root = words_[0];
     if (root == 0 && words_.size() == layout_.headWords())
       return std::uint64_t{0};
@@ -68,8 +67,7 @@ public:
 
   /// Nodes that an earlier frame had are known, and not gone through again.
   Expected<void> run(std::span<const Frame> frames) {
-    if (auto sized = checkSize(); !sized)
-      return sized;
+    VOXC_TRY(checkSize());
     for (std::size_t i = 0; i < frames.size() && !done(); ++i) {
       voxels_ = 0;
       if (frames[i].root != 0)

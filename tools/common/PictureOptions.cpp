@@ -106,19 +106,15 @@ glm::dvec3 sunOf(const PictureOptions &options) {
 Style styleOf(const PictureOptions &options) { return fromString<Style>(options.style).value_or(Style::Lit); }
 
 Expected<PlacedCamera> placeCamera(const PictureOptions &options, const Volume &volume, TraceRays trace) {
-  Expected<Camera> camera = makeCamera(options.camera, volume.info().extent, volume.info().voxelToModel);
-  if (!camera)
-    return camera.error();
+  auto camera = VOXC_TRY(makeCamera(options.camera, volume.info().extent, volume.info().voxelToModel));
   if (!options.camera.camera.empty())
-    return PlacedCamera{*camera, "", false};
+    return PlacedCamera{camera, "", false};
   const View view = fromString<View>(options.view).value_or(View::Auto);
-  camera->verticalFov = options.camera.fov;
-  Expected<FoundView> found = findView(view, volume, trace, *camera);
-  if (!found)
-    return found.error();
+  camera.verticalFov = options.camera.fov;
+  auto found = VOXC_TRY(findView(view, volume, trace, camera));
   if (options.camera.viewHeight != 0)
-    found->camera.orthographicHeight = options.camera.viewHeight;
-  return PlacedCamera{found->camera, std::string(toString(found->view)), view == View::Auto};
+    found.camera.orthographicHeight = options.camera.viewHeight;
+  return PlacedCamera{found.camera, std::string(toString(found.view)), view == View::Auto};
 }
 
 RenderOptions renderOptions(const PictureOptions &options, const Volume &volume) {
@@ -135,16 +131,12 @@ RenderOptions renderOptions(const PictureOptions &options, const Volume &volume)
 Expected<TakenPicture> takePicture(const PictureOptions &options, const Volume &volume,
                                    const RenderTracers &tracers, TraceRays probe, unsigned threads,
                                    const Progress &progress) {
-  const Expected<PlacedCamera> placed = placeCamera(options, volume, probe);
-  if (!placed)
-    return placed.error();
+  const auto placed = VOXC_TRY(placeCamera(options, volume, probe));
   RenderOptions render = renderOptions(options, volume);
   render.threads = threads;
   render.progress = progress;
-  Expected<Rendering> rendering = voxc::render(volume, placed->camera, tracers, render);
-  if (!rendering)
-    return rendering.error();
-  return TakenPicture{std::move(*rendering), *placed};
+  auto rendering = VOXC_TRY(voxc::render(volume, placed.camera, tracers, render));
+  return TakenPicture{std::move(rendering), placed};
 }
 
 bool looksAround(const PictureOptions &options, const VolumeInfo &info) {

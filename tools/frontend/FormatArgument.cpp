@@ -47,10 +47,8 @@ Expected<Format> readFormatFile(const std::string &path) {
     const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
     return parseFormatOf(text, "<stdin>");
   }
-  Expected<std::string> text = readTextFile(path);
-  if (!text)
-    return text.error();
-  return parseFormatOf(*text, path);
+  auto text = VOXC_TRY(readTextFile(path));
+  return parseFormatOf(text, path);
 }
 
 bool looksLikeFile(const std::string &argument) {

@@ -29,11 +29,9 @@ Expected<std::unique_ptr<RoundedSource>> reduceToPalette(VoxelSource &source, co
   if (layout.hasLabels() || layout.payloadBits == 0)
     return Error::usage("--lossy chooses the colours of a palette; give --palette=N as well");
   const std::unique_ptr<VoxelSource> view = source.view();
-  Expected<Rounding> rounding =
-      reduceColours(view ? *view : source, std::size_t{1} << layout.payloadBits, progress);
-  if (!rounding)
-    return rounding.error();
-  return *rounding ? std::make_unique<RoundedSource>(source, *rounding) : nullptr;
+  auto rounding =
+      VOXC_TRY(reduceColours(view ? *view : source, std::size_t{1} << layout.payloadBits, progress));
+  return rounding ? std::make_unique<RoundedSource>(source, rounding) : nullptr;
 }
 
 Expected<std::unique_ptr<RoundedSource>> asKept(const Volume &volume, VoxelSource &source,

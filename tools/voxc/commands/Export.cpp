@@ -67,10 +67,8 @@ public:
   }
 
   Expected<void> run() override {
-    if (Expected<void> writable = checkOutputFile(output_); !writable)
-      return writable;
-    if (Expected<void> checked = page_ ? page_->check(output_) : Expected<void>(); !checked)
-      return checked;
+    VOXC_TRY(checkOutputFile(output_));
+    VOXC_TRY(page_ ? page_->check(output_) : Expected<void>());
     Expected<Volume> volume = volume_.load();
     if (!volume)
       return volume.error();
@@ -82,8 +80,7 @@ public:
       volume = withCoarse(std::move(*volume), figures);
     if (!volume)
       return volume.error();
-    if (Expected<void> exported = write(*volume, figures); !exported)
-      return exported;
+    VOXC_TRY(write(*volume, figures));
     addVolumeFigures(figures, *volume);
     figures["export_seconds"] = watch.seconds();
     if (figures.value("files_written", 1) == 1)
@@ -124,11 +121,9 @@ private:
     }
     options_.save.pageBytes = std::uint32_t(std::min<std::uint64_t>(bytesOf(pageBytes_), ~0u));
     options_.otherKinds = componentExports();
-    const Expected<Exported> exported =
-        exportVoxels(volume, numbered_ ? asPercent(*numbered_) : output_, options_);
-    if (!exported)
-      return exported.error();
-    tell(*exported, figures);
+    const auto exported =
+        VOXC_TRY(exportVoxels(volume, numbered_ ? asPercent(*numbered_) : output_, options_));
+    tell(exported, figures);
     return {};
   }
 
@@ -137,12 +132,10 @@ private:
     if (!output_.ends_with(".hvx"))
       return volume; // Which is not compressed: an error that is told.
     const auto side = unsigned(std::stoul(coarseSide_));
-    auto blocks = makeCoarseBlocks(volume, std::countr_zero(side), options_.save.progress);
-    if (!blocks)
-      return blocks.error();
+    auto blocks = VOXC_TRY(makeCoarseBlocks(volume, std::countr_zero(side), options_.save.progress));
     figures["coarse_side"] = side;
-    figures["coarse_blocks"] = blocks->blocks.size();
-    return withCoarseBlocks(std::make_shared<const Volume>(std::move(volume)), std::move(*blocks));
+    figures["coarse_blocks"] = blocks.blocks.size();
+    return withCoarseBlocks(std::make_shared<const Volume>(std::move(volume)), std::move(blocks));
   }
 
   void tell(const Exported &exported, Json &figures) {

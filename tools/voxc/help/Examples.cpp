@@ -3,8 +3,6 @@
 
 #include "voxc/IR/LevelKind.h"
 
-#include <cctype>
-
 namespace voxc::tool {
 
 namespace {

@@ -1,8 +1,6 @@
 // The options of a flight.
 #include "pictures/FlightOption.h"
 
-#include <cstddef>
-
 namespace voxc::tool {
 namespace {
 
@@ -33,10 +31,7 @@ Expected<void> FlightOption::check(const std::string &output) {
     return Error::usage("a flight is many pictures, but the name '" + output +
                         "' has not one place for the number of the frame; give one such as flight-###.png or "
                         "flight-%03d.png");
-  auto flight = Flight::through(path_);
-  if (!flight)
-    return flight.error();
-  flight_ = std::move(*flight);
+  flight_ = VOXC_TRY(Flight::through(path_));
   return {};
 }
 
