@@ -85,8 +85,8 @@ void AccuracyCommand::declareChoice(const CommandLine &command) {
   command.addFormer("--walks", "--traversals");
   command
       .add("--lods", lods_,
-           "Sizes in pixels at which to stop early, as --lod of voxc render does, with the "
-           "first of the others")
+           "Sizes in pixels at which to stop early, as --lod of voxc render does, with the first of the "
+           "others")
       .list()
       .takes("A,B")
       .between(0.0, 1e6)

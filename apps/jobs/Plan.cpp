@@ -53,9 +53,8 @@ public:
   Expected<void> run() override {
     VOXC_TRY(checkOutputFile(output_));
     if (building_.isLossy())
-      return Error::usage(
-          "--lossy looks at all voxels to choose colours, which the parts of a plan cannot; build "
-          "in one go, or state the palette");
+      return Error::usage("--lossy looks at all voxels to choose colours, which the parts of a plan cannot; "
+                          "build in one go, or state the palette");
     Json figures;
     ProgressBar bar(common_.quiet);
     auto format = VOXC_TRY(building_.readFormat("cpu", common_, bar.progress(), figures));

@@ -39,9 +39,8 @@ public:
     VOXC_TRY(run.files().makeFolder());
     const auto lock = cluster::PlanLock::take(run.files().folder(), bar.progress(), [this] {
       if (!common_.quiet)
-        printNote(
-            "note: the plan is being carried out by another voxc submit, or tasks of one are left; waiting "
-            "for them to end");
+        printNote("note: the plan is being carried out by another voxc submit, or tasks of one are left; "
+                  "waiting for them to end");
     });
     if (!lock)
       return lock.error();

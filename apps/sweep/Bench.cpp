@@ -70,8 +70,7 @@ void BenchCommand::declare(const CommandLine &command) {
   arguments_.declare(command);
   command
       .add("-o,--output", folder_,
-           "Folder of results, cached volumes and pictures; an earlier run's is "
-           "continued")
+           "Folder of results, cached volumes and pictures; an earlier run's is continued")
       .takes("DIR");
   shares_.declare(command, "as many as there are models, whose formats are then measured together");
   addCommonOptions(command, common_);

@@ -25,8 +25,8 @@ void BenchReportCommand::declare(const CommandLine &command) {
   command.add("DIR", folders_, "Folders of records, as voxc bench writes them").required().takes("");
   command
       .add("-o,--output", output_,
-           "The page, with its figures as CSV beside it; the default is report.html in the first folder, "
-           "- standard output, without CSV")
+           "The page, with its figures as CSV beside it; the default is report.html in the first folder, - "
+           "standard output, without CSV")
       .takes("FILE");
   command.add("--note", modelNotes_, "A sentence on a model; may be given several times")
       .takes("MODEL=TEXT")

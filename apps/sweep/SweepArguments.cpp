@@ -50,8 +50,8 @@ void SweepArguments::declareAxes(const CommandLine &command) {
       .takes("LIST");
   command
       .add("--passes", passes_,
-           "Passes to run on every format, in any order, or none; given several times, formats are "
-           "measured with each")
+           "Passes to run on every format, in any order, or none; given several times, formats are measured "
+           "with each")
       .repeated()
       .takes("A,B");
   command.add("--precisions", precisions_, "Precisions, separated by commas")
@@ -68,8 +68,8 @@ void SweepArguments::declareAxes(const CommandLine &command) {
       .takes("A,B");
   command
       .add("--cameras", rays_.cameraFile,
-           "A camera file: its camera of a model's name, or all if there is none; default: one that sees "
-           "the whole volume")
+           "A camera file: its camera of a model's name, or all if there is none; default: one that sees the "
+           "whole volume")
       .takes("FILE");
   command
       .add("--size", rays_.size, "Pixels of the cameras' pictures; default: the camera file's, or 1280x720")

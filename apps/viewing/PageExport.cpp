@@ -117,12 +117,12 @@ bool PageExport::isPage(const std::string &path) const {
 void PageExport::declare(const CommandLine &command) {
   command.add("--title", title_, "What a page is called; the default is the name of the volume's file")
       .takes("TEXT");
-  const Option url = command
-                         .add("--url", url_,
-                              "The page holds no words, but reads pages of the volume, which was stored with "
-                              "--compress, when "
-                              "rays need them: from this file beside it, or this address, by HTTP ranges")
-                         .takes("URL");
+  const Option url =
+      command
+          .add("--url", url_,
+               "The page holds no words, but reads pages of the volume, which was stored with --compress, "
+               "when rays need them: from this file beside it, or this address, by HTTP ranges")
+          .takes("URL");
   command
       .add("--device-memory", budget_,
            "What a page with --url keeps on the device at most: pages and their table")
@@ -144,10 +144,9 @@ bool PageExport::isGiven() const {
 
 Expected<void> PageExport::check(const std::string &path) const {
   if (!isPage(path) && isGiven())
-    return Error::usage(
-        "'" + path +
-        "' is no page; --title, --url, --sun, cuts and what says where a picture is taken from are for one, "
-        "whose name ends in .html");
+    return Error::usage("'" + path +
+                        "' is no page; --title, --url, --sun, cuts and what says where a picture is taken "
+                        "from are for one, whose name ends in .html");
   if (const Expected<Clip> clip = clipOf(clip_); !clip)
     return clip.error();
   return checkPictureOptions(picture_);

@@ -72,8 +72,8 @@ Expected<void> SceneSource::check() const {
     if (Expected<Format> format = readFormat(format_); !format)
       return format.error();
   if (memory_.isGiven() && (!isVolume() || !format_.empty()))
-    return Error::usage("--device-memory is for a volume as stored with --compress; give a .hvx file, and "
-                        "no --format");
+    return Error::usage(
+        "--device-memory is for a volume as stored with --compress; give a .hvx file, and no --format");
   if (format_.empty() && !isVolume() && !passes_.names().empty())
     return Error::usage("passes are chosen with the format; give a --format to choose them");
   if (format_.empty())

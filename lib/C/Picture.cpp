@@ -110,9 +110,8 @@ voxc_error *voxc_render(voxc_tracer *tracer, const voxc_picture_options *options
     const Question question = questionOf(tracer->format);
     if (!isOfHits(question.query) || !question.outputs.voxel || !question.outputs.t ||
         !question.outputs.colour)
-      return Error::usage(
-          "a picture is made of the voxel, t and colour of the closest hits: of a tracer with the "
-          "default query and outputs");
+      return Error::usage("a picture is made of the voxel, t and colour of the closest hits: of a tracer "
+                          "with the default query and outputs");
     const auto clip = VOXC_TRY(clipOf(given));
     // What the kernel of a file takes, its tracer knows.
     if (!clip.cutsNothing() && !tracer->format.levels.empty() && !question.bounds)

@@ -30,9 +30,8 @@ Expected<BuildReport> splitVolume(const Volume &volume, std::uint64_t index, std
       VOXC_TRY(FragmentWriter::create(path, {volume.info(), grid.log2Side, {index, count, begin, end}}));
   Extraction extraction(volume.words(), volume.layout());
   if (!extraction.canTakeOut())
-    return Error::usage(
-        "parts of a volume with mirror=yes cannot be taken out of it, since its nodes do not say "
-        "which reflections leave them as they are; build the parts from the input");
+    return Error::usage("parts of a volume with mirror=yes cannot be taken out of it, since its nodes do not "
+                        "say which reflections leave them as they are; build the parts from the input");
   BuildReport report;
   MortonProgress steps(volume.info().extent, progress);
   std::uint64_t part = begin;

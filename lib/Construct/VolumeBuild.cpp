@@ -102,10 +102,9 @@ void VolumeBuild::appendValues() {
   values_->finish(words, maxWords_);
   words.setHead(1, layout_.refOf(section));
   if (words.size() - section > layout_.maxNodeWords())
-    store_->fail(
-        Error::input("the values of the voxels take " + std::to_string(words.size() - section) +
-                     " words, more than the 2^32 - 2^28 that a kernel can reach where references count "
-                     "granules; a lower resolution would fit"));
+    store_->fail(Error::input("the values of the voxels take " + std::to_string(words.size() - section) +
+                              " words, more than the 2^32 - 2^28 that a kernel can reach where references "
+                              "count granules; a lower resolution would fit"));
 }
 
 Expected<void> VolumeBuild::proveWords(std::span<const std::uint32_t> words) const {

@@ -50,9 +50,9 @@ void tellInside(Input &input, Interior interior, const InputOptions &options) {
   const std::string voxels = std::to_string(input.interiorVoxels) + " voxels ";
   if (interior == Interior::Drop) {
     input.provenance = withProvenance(input.provenance, "interior", "drop");
-    input.notes.push_back(voxels +
-                          "that no ray from outside comes to are left out; rays that begin among them "
-                          "do not find them");
+    input.notes.push_back(
+        voxels +
+        "that no ray from outside comes to are left out; rays that begin among them do not find them");
     return;
   }
   input.provenance = withProvenance(input.provenance, "interior", "fill");

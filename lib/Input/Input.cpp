@@ -24,9 +24,8 @@ namespace {
 
 /// Stands for the optional component where it was left out.
 Expected<Input> lackOpenVdb(const std::string &path, const InputOptions &) {
-  return Error::environment("'" + path +
-                            "' is an OpenVDB file, which this build does not read; build voxc with "
-                            "VOXC_OPENVDB=ON");
+  return Error::environment(
+      "'" + path + "' is an OpenVDB file, which this build does not read; build voxc with VOXC_OPENVDB=ON");
 }
 
 Expected<Input> lackAssimp(const std::string &path, const InputOptions &) {
@@ -141,11 +140,10 @@ void tellSpacing(const std::string &text, const InputOptions &options, Input &in
     return;
   std::array<char, 32> shortest{};
   std::snprintf(shortest.data(), shortest.size(), "%.6g", least);
-  input.warnings.push_back(
-      "its voxels are " + byThree(sides) +
-      " and no cubes: pictures, pages, .glb, .nvdb and .vdb files keep that, all else shows "
-      "it squashed; --voxel-size " +
-      std::string(shortest.data()) + " makes cubes of them");
+  input.warnings.push_back("its voxels are " + byThree(sides) +
+                           " and no cubes: pictures, pages, .glb, .nvdb and .vdb files keep that, all else "
+                           "shows it squashed; --voxel-size " +
+                           std::string(shortest.data()) + " makes cubes of them");
 }
 
 } // namespace

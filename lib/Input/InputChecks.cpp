@@ -115,8 +115,7 @@ Expected<void> checkGrid(const InputArguments &arguments, const std::string &inp
   const auto length = parseLength(arguments.voxelSize);
   if (!arguments.unit.empty() && !(length && length->metres > 0))
     return Error::usage(
-        "--unit says what a --voxel-size such as 5mm means, and would do nothing without; leave it "
-        "out");
+        "--unit says what a --voxel-size such as 5mm means, and would do nothing without; leave it out");
   return {};
 }
 

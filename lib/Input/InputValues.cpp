@@ -85,8 +85,7 @@ std::string problemOfVoxelSize(const std::string &text) {
   if (text.find_first_of(",x") != std::string::npos)
     return "'" + text +
            "' is no size of voxels, which are cubes; write one number, such as the least of these, and scans "
-           "of other "
-           "spacings are made anew in cubes of it";
+           "of other spacings are made anew in cubes of it";
   return "'" + text + "' is no size of a voxel; write a number above 0, with a unit or without: one of " +
          unitNames();
 }

@@ -173,8 +173,8 @@ Expected<FormatTable> searchFormats(const SourceOpener &open, const FormatQuesti
     asked.memory = WorkingMemory::createDefault();
   const auto scene = VOXC_TRY(readSearchScene(asked.name, open, asked.memory, progress));
   if (!scene.colours)
-    return Error::environment("the scene with its colours takes more than the memory that may be used; "
-                              "more memory or a lower resolution would do");
+    return Error::environment("the scene with its colours takes more than the memory that may be used; more "
+                              "memory or a lower resolution would do");
   auto seeds = VOXC_TRY(candidatesOf(asked.formats, scene));
   const ScratchFolder folder;
   if (!folder.isThere())

@@ -166,8 +166,7 @@ Expected<FoundView> findView(View view, const Volume &volume, TraceRays trace, c
     return Error::input("the volume has no voxels to look at");
   if (view == View::Inside && like.isOrthographic())
     return Error::usage(
-        "an orthographic camera sees nothing from inside; look from outside, and cut away what "
-        "is before it");
+        "an orthographic camera sees nothing from inside; look from outside, and cut away what is before it");
   auto found = VOXC_TRY(foundView(view, volume, trace, like));
   found.camera.eye = rounded(found.camera.eye);
   found.camera.look = rounded(found.camera.look);

@@ -142,8 +142,8 @@ void addCameraPlace(const CommandLine &command, CameraOptions &options) {
   const OptionGroup group(command, "Picture");
   command
       .add("--camera", options.camera,
-           "Eye, a point looked at and the way up (default 0,1,0), in voxels, or after 'model:' in the "
-           "units of the model; or a camera of a camera file; the default sees the whole volume")
+           "Eye, a point looked at and the way up (default 0,1,0), in voxels, or after 'model:' in the units "
+           "of the model; or a camera of a camera file; the default sees the whole volume")
       .takes("[model:]EX,EY,EZ:LX,LY,LZ[:UX,UY,UZ]|FILE:NAME");
   const Option fov = command.add("--fov", options.fov, "Vertical field of view; the default is the camera's")
                          .takes("DEGREES");

@@ -49,9 +49,8 @@ Expected<Flight> Flight::through(const std::string &path) {
                         std::to_string(stops.size()));
   const bool isParallel = stops.front().height != 0;
   if (std::ranges::any_of(stops, [&](const FileCamera &stop) { return (stop.height != 0) != isParallel; }))
-    return Error::input(path +
-                        " should have cameras that all have a height, and so are orthographic, or none, "
-                        "for a flight through them");
+    return Error::input(path + " should have cameras that all have a height, and so are orthographic, or "
+                               "none, for a flight through them");
   Flight flight;
   flight.stops_ = std::move(stops);
   return flight;

@@ -18,8 +18,7 @@ Expected<Format> parseFormatOf(std::string_view text, const std::string &name) {
   if (isPlanText(text))
     return Error::input(
         "'" + name +
-        "' is the plan of a kernel, from which voxc compile and voxc-opt go on; here a format is "
-        "wanted");
+        "' is the plan of a kernel, from which voxc compile and voxc-opt go on; here a format is wanted");
   if (text.starts_with(kBuildPlanWords))
     return Error::input("'" + name +
                         "' is a build plan, which voxc submit carries out; here a format is wanted");

@@ -242,8 +242,7 @@ std::string Day::table() const {
   if (!pages_.empty())
     text +=
         "\n## Pages\n\nA volume of which a part is in memory; MB that would be enough, and million rays a "
-        "second of "
-        "the time that passed.\n\n"
+        "second of the time that passed.\n\n"
         "| Budget | enough | pages read | rounds | seconds of pages | speed |\n|---|---|---|---|---|---|\n" +
         pages_;
   text += texts_;

@@ -23,10 +23,9 @@ void limitDeviceThreads(unsigned threads) {
 void TraceSession::declare(const CommandLine &command) {
   const OptionGroup group(command, "Device");
   command
-      .add(
-          "--device", deviceName_,
-          "Trace on the device whose name contains this, or which has this number or UUID in 'voxc devices', "
-          "or on cpu: this processor, without Vulkan")
+      .add("--device", deviceName_,
+           "Trace on the device whose name contains this, or which has this number or UUID in 'voxc "
+           "devices', or on cpu: this processor, without Vulkan")
       .takes("NAME")
       .suggests({"cpu", "llvmpipe"});
   command

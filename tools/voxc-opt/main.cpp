@@ -65,8 +65,8 @@ void declare(const CommandLine &command, Options &options) {
   command.addFlag("--split-input-file", options.optimiser.splits,
                   "Run each part of the input by itself; parts are divided by lines '// -----'");
   command.addFlag("--verify-diagnostics", options.optimiser.verifiesDiagnostics,
-                  "Fail unless the diagnostics are those that comments expect: // expected-error "
-                  "@+1 {{part of the message}}");
+                  "Fail unless the diagnostics are those that comments expect: // expected-error @+1 {{part "
+                  "of the message}}");
   command.addFlag("--lower", options.lower, "Go on to the plan, and run the passes over plans");
   command
       .add("--pass-pipeline", options.pipeline,

@@ -36,9 +36,8 @@ void addOptions(const CommandLine &command, Options &options) {
   command.add("--kernel", options.kernel, "Its kernel, from voxc compile").required().takes("KERNEL.spv");
   command
       .add("--rays", options.rays,
-           "Rays to trace: float32 origin and direction, 24 bytes each, or a file of version 2, with "
-           "bounds, for a "
-           "kernel for such; without them a picture is taken")
+           "Rays to trace: float32 origin and direction, 24 bytes each, or a file of version 2, with bounds, "
+           "for a kernel for such; without them a picture is taken")
       .takes("RAYS.bin");
   command
       .add("-o,--output", options.output,
@@ -50,8 +49,8 @@ void addOptions(const CommandLine &command, Options &options) {
   command.addFlag("--count", options.count, "Count each ray's lookups; of a picture as with --repeat");
   command
       .add("--repeat", options.repeat,
-           "Trace so often; the speeds are those of the fastest time; a picture is flat then, unless "
-           "--style says")
+           "Trace so often; the speeds are those of the fastest time; a picture is flat then, unless --style "
+           "says")
       .between(1u, 1000000u);
   command
       .add("--device", options.device,

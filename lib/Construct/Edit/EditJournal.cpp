@@ -91,9 +91,9 @@ Expected<EditJournal> EditJournal::open(const std::string &volumePath) {
   auto summary = summarizeVolume(volumePath);
   if (summary &&
       std::ranges::find(summary->streams, kFrameStream, &StreamSummary::name) != summary->streams.end())
-    return Error::input("'" + volumePath +
-                        "' has frames, which a journal cannot tell apart; --frame N with -o edits "
-                        "one of them");
+    return Error::input(
+        "'" + volumePath +
+        "' has frames, which a journal cannot tell apart; --frame N with -o edits one of them");
   const auto identity =
       VOXC_TRY(summary ? journal::identityOf(volumePath) : Expected<journal::Identity>(summary.error()));
   const std::string path = journalPathOf(volumePath);

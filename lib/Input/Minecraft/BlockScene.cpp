@@ -296,9 +296,9 @@ Expected<BlockScene> readBlockScene(const NbtTag &file, const Progress &progress
   const auto read =
       file["Regions"]                                  ? readRegions(file["Regions"], scene, names, beside)
       : schematic["Version"] || schematic["BlockData"] ? readSponge(schematic, scene, names, beside)
-      : schematic["Blocks"]                            ? readOld(schematic, scene, names, beside, progress)
-                            : lacks("blocks that voxc knows: a Sponge schematic, one of MCEdit, or "
-                                    "regions of Litematica");
+      : schematic["Blocks"]
+          ? readOld(schematic, scene, names, beside, progress)
+          : lacks("blocks that voxc knows: a Sponge schematic, one of MCEdit, or regions of Litematica");
   if (names.isStopped())
     return Error::interrupted();
   if (!read)

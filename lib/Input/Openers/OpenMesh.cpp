@@ -95,9 +95,8 @@ Expected<void> fill(const TriangleScene &scene, const InputOptions &options, Inp
   if (solid.open.count != 0)
     input.warnings.push_back(complaintOf(solid));
   if (solid.isDoubleSided)
-    input.notes.push_back(
-        "triangles lie on others that face the other way; of these, one of each two says what "
-        "is inside, which a ray enters an odd number of times");
+    input.notes.push_back("triangles lie on others that face the other way; of these, one of each two says "
+                          "what is inside, which a ray enters an odd number of times");
   return {};
 }
 

@@ -69,9 +69,8 @@ Expected<DenseVolume> readVolume(const std::string &path, std::shared_ptr<const 
                                     std::filesystem::path(path).parent_path(), options));
   header.warnings.insert(header.warnings.end(), data.warnings.begin(), data.warnings.end());
   if (header.isUpZ && options.isAutomatic && !options.isUpKnown)
-    header.notes.push_back(
-        "its +z goes to the head of a patient, and lies as voxel z; --up z turns it to +y, "
-        "the up of pictures, as it is for NIfTI files");
+    header.notes.push_back("its +z goes to the head of a patient, and lies as voxel z; --up z turns it to "
+                           "+y, the up of pictures, as it is for NIfTI files");
   return volumeOf(header, std::move(data), offset);
 }
 

@@ -20,10 +20,10 @@ Expected<Input> openVolume(const std::string &path, const InputOptions &options)
   if (const std::size_t frames = framesOf(volume).size(); frames > 1) {
     input.frames = frames;
     if (!options.boxOfAllFrames)
-      input.warnings.push_back("it has " + std::to_string(frames) +
-                               " frames; the first is taken, and another by a "
-                               "number behind the name, as in scene.hvx#" +
-                               std::to_string(frames));
+      input.warnings.push_back(
+          "it has " + std::to_string(frames) +
+          " frames; the first is taken, and another by a number behind the name, as in scene.hvx#" +
+          std::to_string(frames));
   }
   input.provenance = volume.info().provenance;
   input.source = makeVolumeSource(std::make_shared<const Volume>(std::move(volume)));

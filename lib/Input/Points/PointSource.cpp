@@ -189,8 +189,7 @@ Expected<PointVoxels> placePoints(const PointList &points, bool areIndices, cons
     return Error::usage("--colour is for meshes, and would do nothing for points; leave it out");
   if (areIndices && (options.voxelSize.value > 0 || options.align))
     return Error::usage(
-        "--voxel-size and --align would do nothing for points whose coordinates are voxels; leave "
-        "them out");
+        "--voxel-size and --align would do nothing for points whose coordinates are voxels; leave them out");
   PointPlacer placer(points, options, broken);
   auto source = VOXC_TRY(areIndices ? placer.placeIndices() : placer.placePositions());
   PointVoxels voxels{std::move(source), areIndices, {}, {}};

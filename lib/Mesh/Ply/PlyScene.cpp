@@ -126,9 +126,9 @@ private:
       warnings.add(countedAre(cutter_.badFans(), "face") +
                    " cut into fans, which may cover more, as the corners lie in too tangled a way");
     if (looks_.badFaces() != 0)
-      warnings.add(countedAre(looks_.badFaces(), "face") +
-                   " without a texture: it is not there, or there are not as many texture coordinates as "
-                   "corners");
+      warnings.add(
+          countedAre(looks_.badFaces(), "face") +
+          " without a texture: it is not there, or there are not as many texture coordinates as corners");
     for (const std::string &sentence : {vertices_.colour().warning(), looks_.colour().warning()})
       if (!sentence.empty())
         warnings.add(sentence);

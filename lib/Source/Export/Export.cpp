@@ -98,9 +98,9 @@ Expected<void> write(const ExportKind &kind, const Volume &volume, const std::st
   if (kind.format.ending == ".png")
     return writeSlices(volume, path, options, exported);
   if (kind.format.ending == ".vdb")
-    return Error::environment("'" + path +
-                              "' is an OpenVDB file, which this build does not write; build voxc with "
-                              "VOXC_OPENVDB=ON");
+    return Error::environment(
+        "'" + path +
+        "' is an OpenVDB file, which this build does not write; build voxc with VOXC_OPENVDB=ON");
   return volume.save(path, options.save);
 }
 

@@ -183,10 +183,9 @@ Expected<void> writeSurface(const Volume &volume, OutputFile &file, const Export
   if (!looks)
     return looks.error();
   if (looks->all().size() > kMostMaterials) {
-    exported.warnings.push_back(
-        "its voxels have " + std::to_string(looks->all().size() - 1) +
-        " kinds of light and metal, more than the 4096 materials of a .glb file, which are left out; "
-        "--texture keeps them");
+    exported.warnings.push_back("its voxels have " + std::to_string(looks->all().size() - 1) +
+                                " kinds of light and metal, more than the 4096 materials of a .glb file, "
+                                "which are left out; --texture keeps them");
     looks = VoxelLooks();
   }
   LookedVoxels voxels(volume, *looks);

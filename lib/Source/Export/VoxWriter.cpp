@@ -148,8 +148,7 @@ constexpr std::uint64_t kMaxVoxels = std::uint64_t{1} << 29;
 Error tooManyColours(std::uint32_t word, bool areLabels) {
   if (areLabels)
     return Error::input(
-        "a .vox file holds labels up to 255, as the numbers of its colours, but the volume has "
-        "the label " +
+        "a .vox file holds labels up to 255, as the numbers of its colours, but the volume has the label " +
         std::to_string(word));
   return Error::input("a .vox file holds at most 255 colours, but the volume has more; --lossy takes those "
                       "that stand best for them");
@@ -187,11 +186,9 @@ private:
 
 /// What of the looks a file does not hold.
 constexpr const char *kLooksInPart = "a material of a .vox file is light of the voxel's own colour, metal or "
-                                     "glass; what else the attributes say "
-                                     "of light and metal is left out";
+                                     "glass; what else the attributes say of light and metal is left out";
 constexpr const char *kTooManyLooks = "its voxels have more than 255 pairs of colour and material, which a "
-                                      ".vox file cannot hold; light and metal "
-                                      "are left out";
+                                      ".vox file cannot hold; light and metal are left out";
 
 /// Writes a part after the other.
 class SceneFiles {

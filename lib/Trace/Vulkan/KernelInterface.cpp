@@ -70,8 +70,8 @@ Expected<std::vector<std::string_view>> featuresOf(const Kernel &kernel) {
 
 Expected<KernelInterface> interfaceOf(const Kernel &kernel) {
   if (kernel.addressing == Addressing::Texels)
-    return Error::usage("a kernel that reads words as texels is for voxc's own tracers: compile one with "
-                        "addressing=buffer");
+    return Error::usage(
+        "a kernel that reads words as texels is for voxc's own tracers: compile one with addressing=buffer");
   auto features = VOXC_TRY(featuresOf(kernel));
   KernelInterface result;
   result.bindings = {rays(kernel.bounded),

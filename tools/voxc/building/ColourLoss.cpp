@@ -10,12 +10,12 @@ namespace voxc::tool {
 
 std::string errorText(const ColourError &error) {
   char text[256];
-  std::snprintf(
-      text, sizeof text,
-      "largest error of R, G, B and alpha %d, %d, %d and %d of 255, mean %.3f, %.3f, %.3f and %.3f, root of "
-      "the mean square %.3f, %.3f, %.3f and %.3f",
-      error.largest[0], error.largest[1], error.largest[2], error.largest[3], error.mean[0], error.mean[1],
-      error.mean[2], error.mean[3], error.rms[0], error.rms[1], error.rms[2], error.rms[3]);
+  std::snprintf(text, sizeof text,
+                "largest error of R, G, B and alpha %d, %d, %d and %d of 255, mean %.3f, %.3f, %.3f and "
+                "%.3f, root of the mean square %.3f, %.3f, %.3f and %.3f",
+                error.largest[0], error.largest[1], error.largest[2], error.largest[3], error.mean[0],
+                error.mean[1], error.mean[2], error.mean[3], error.rms[0], error.rms[1], error.rms[2],
+                error.rms[3]);
   return text;
 }
 

@@ -93,14 +93,14 @@ void CompileCommand::declare(const CommandLine &command) {
           .takes("whole|cut")
           .oneOf(namesOf<Loops>())
           .showsDefault();
-  const Option arithmetic = command
-                                .add("--arithmetic", arithmetic_,
-                                     "What the kernel relies on: that the device rounds float32 to nearest "
-                                     "if it is asked to, or that "
-                                     "it counts as IEEE 754 says; any is right everywhere")
-                                .takes("any|nearest|ieee")
-                                .oneOf(namesOf<Arithmetic>())
-                                .showsDefault();
+  const Option arithmetic =
+      command
+          .add("--arithmetic", arithmetic_,
+               "What the kernel relies on: that the device rounds float32 to nearest if it is asked to, or "
+               "that it counts as IEEE 754 says; any is right everywhere")
+          .takes("any|nearest|ieee")
+          .oneOf(namesOf<Arithmetic>())
+          .showsDefault();
   command.addFlag("--spirv-opt", optimise_, "Optimise the kernel with spirv-opt");
   command.add("--symbol", cpu_.symbol, "Name of the function in intersect.cpp and intersect.o")
       .takes("NAME")
@@ -121,8 +121,7 @@ void CompileCommand::declare(const CommandLine &command) {
   command
       .add("--language", language_,
            "Language of a header: GLSL, that of WebGL 2, C++20, CUDA, HLSL, or that of WebGPU; shared is "
-           "GLSL and C++ in "
-           "one text")
+           "GLSL and C++ in one text")
       .takes("shared|glsl|essl|cpp|cuda|hlsl|wgsl")
       .oneOf(namesOf<HeaderLanguage>())
       .showsDefault();

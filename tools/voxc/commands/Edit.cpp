@@ -111,8 +111,7 @@ public:
     command
         .addFlag("--journal", journal_,
                  "Add the edits to the journal beside the volume in place of writing a file: at once on the "
-                 "disk, and "
-                 "part of the volume for every command")
+                 "disk, and part of the volume for every command")
         .excludes(output);
     command
         .addFlag("--compact", compact_,

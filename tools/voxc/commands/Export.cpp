@@ -30,21 +30,18 @@ public:
     command.add("-o,--output", output_, "File to write; its ending says what: " + kinds())
         .takes("FILE")
         .required();
-    command.addFlag(
-        "--lossy", options_.lossy,
-        "Of a .vox file: takes the 255 colours that stand best for those of the volume, rather than "
-        "to fail; the errors are reported");
+    command.addFlag("--lossy", options_.lossy,
+                    "Of a .vox file: takes the 255 colours that stand best for those of the volume, rather "
+                    "than to fail; the errors are reported");
     command
         .add("--slices", slices_,
              "Of .png pictures, the plane that they lie in: z (default), y or x, one for each cell along "
-             "that axis; "
-             "or of a scan, by its own axes: axial, coronal, sagittal")
+             "that axis; or of a scan, by its own axes: axial, coronal, sagittal")
         .takes("PLANE")
         .oneOf({kEnumNames<SlicePlane>.begin(), kEnumNames<SlicePlane>.end()});
-    command.addFlag(
-        "--texture", options_.texture,
-        "Of a .glb file: colours in a texture, with fewer and larger faces that meet without gaps, "
-        "rather than one a vertex");
+    command.addFlag("--texture", options_.texture,
+                    "Of a .glb file: colours in a texture, with fewer and larger faces that meet without "
+                    "gaps, rather than one a vertex");
     addCompressArgument(command, options_.save.compress);
     if (page_)
       page_->declare(command);
@@ -161,11 +158,10 @@ private:
     if (bytes < kMuch || !output_.ends_with(".glb"))
       return;
     char text[256];
-    std::snprintf(
-        text, sizeof text,
-        "warning: %.0f MB of faces; a volume of half the resolution has about a quarter of them, and "
-        "-o NAME.hvx --compress keeps all voxels in less than %.1f MB",
-        bytes / kMega, std::max(double(volume.words().size_bytes()) / kMega, 0.1));
+    std::snprintf(text, sizeof text,
+                  "warning: %.0f MB of faces; a volume of half the resolution has about a quarter of them, "
+                  "and -o NAME.hvx --compress keeps all voxels in less than %.1f MB",
+                  bytes / kMega, std::max(double(volume.words().size_bytes()) / kMega, 0.1));
     printNote(text);
   }
 

@@ -30,16 +30,16 @@ public:
         .required();
     command
         .add("-o,--output", output_,
-             "Hits to write: int32 x, y, z, uint32 rgba, float32 t, uint32 steps, 24 bytes each, or a "
-             "file of version 2; - for standard output")
+             "Hits to write: int32 x, y, z, uint32 rgba, float32 t, uint32 steps, 24 bytes each, or a file "
+             "of version 2; - for standard output")
         .takes("H.bin")
         .required();
     command.add("--tmin", tmin_, "Look for voxels that rays enter at this t or later").takes("T");
     command.add("--tmax", tmax_, "Look for voxels that rays enter at this t or before").takes("T");
     command
         .add("--hit-version", hitVersion_,
-             "Version of the hit file: 2 has the face and its normal too; default: that of the ray file, "
-             "or 1 where the query is not of the closest hit")
+             "Version of the hit file: 2 has the face and its normal too; default: that of the ray file, or "
+             "1 where the query is not of the closest hit")
         .takes("1|2")
         .between(1u, 2u);
     command.add("--repeat", options_.repeat, "Trace so often; the speeds are those of the fastest time")

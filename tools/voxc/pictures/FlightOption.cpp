@@ -10,14 +10,13 @@ constexpr unsigned kMostFrames = 1000000;
 
 void FlightOption::declare(const CommandLine &command) {
   const OptionGroup group(command, "Picture");
-  const Option flight =
-      command
-          .add("--flight", path_,
-               "A picture for each frame of a flight through all cameras of a camera file; --output has ### "
-               "or %03d in its name, for the frame's number")
-          .takes("FILE")
-          .excludes(command.option("--camera"))
-          .excludes(command.option("--view"));
+  const Option flight = command
+                            .add("--flight", path_,
+                                 "A picture for each frame of a flight through all cameras of a camera file; "
+                                 "--output has ### or %03d in its name, for the frame's number")
+                            .takes("FILE")
+                            .excludes(command.option("--camera"))
+                            .excludes(command.option("--view"));
   command.add("--frames", frames_, "Frames of the flight, from its first camera to its last")
       .takes("N")
       .between(1u, kMostFrames)

@@ -64,8 +64,8 @@ void RenderSession::declare(const CommandLine &command) {
   flight_.declare(command);
   command
       .add("--lod", picture_.lod,
-           "Stop at nodes and cells that look smaller than so many pixels, with a colour from inside; 0: "
-           "at voxels alone")
+           "Stop at nodes and cells that look smaller than so many pixels, with a colour from inside; 0: at "
+           "voxels alone")
       .takes("PIXELS")
       .between(0.0, 1e6);
   check_.declare(command);
@@ -91,9 +91,8 @@ Expected<void> RenderSession::check(const std::string &source, const CommonOptio
 Expected<void> RenderSession::applyTo(Format &format) const {
   const Outputs outputs = questionOf(format).outputs;
   if (styleOf(picture_) != Style::Heatmap && !(outputs.voxel && outputs.t && outputs.colour))
-    return Error::usage(
-        "a picture is made of the voxel, t and colour of hits; leave out --query and --outputs, or ask "
-        "for --style heatmap");
+    return Error::usage("a picture is made of the voxel, t and colour of hits; leave out --query and "
+                        "--outputs, or ask for --style heatmap");
   if (picture_.lod > 0)
     askForCones(format);
   if (clip_.isGiven())
