@@ -22,43 +22,29 @@ constexpr std::size_t kFewestRuns = 5;
 constexpr int kRegisters = 4, kLocalBytes = 3; // Of CUfunction_attribute.
 
 #define VOXC_CUDA_FUNCTIONS(X)                                                                               \
-  X(cuInit)                                                                                                  \
-  X(cuDeviceGet)                                                                                             \
-  X(cuDevicePrimaryCtxRetain)                                                                                \
-  X(cuCtxSetCurrent)                                                                                         \
-  X(cuModuleLoadData)                                                                                        \
-  X(cuModuleGetFunction)                                                                                     \
-  X(cuFuncGetAttribute)                                                                                      \
-  X(cuMemAlloc_v2)                                                                                           \
-  X(cuMemFree_v2)                                                                                            \
-  X(cuMemcpyHtoD_v2)                                                                                         \
-  X(cuMemcpyDtoH_v2)                                                                                         \
-  X(cuEventCreate)                                                                                           \
-  X(cuEventRecord)                                                                                           \
-  X(cuEventSynchronize)                                                                                      \
-  X(cuEventElapsedTime)                                                                                      \
-  X(cuLaunchKernel)                                                                                          \
-  X(cuGetErrorString)
+  X(cuInit, unsigned)                                                                                        \
+  X(cuDeviceGet, int *, int)                                                                                 \
+  X(cuDevicePrimaryCtxRetain, Handle *, int)                                                                 \
+  X(cuCtxSetCurrent, Handle)                                                                                 \
+  X(cuModuleLoadData, Handle *, const void *)                                                                \
+  X(cuModuleGetFunction, Handle *, Handle, const char *)                                                     \
+  X(cuFuncGetAttribute, int *, int, Handle)                                                                  \
+  X(cuMemAlloc_v2, DevicePointer *, std::size_t)                                                             \
+  X(cuMemFree_v2, DevicePointer)                                                                             \
+  X(cuMemcpyHtoD_v2, DevicePointer, const void *, std::size_t)                                               \
+  X(cuMemcpyDtoH_v2, void *, DevicePointer, std::size_t)                                                     \
+  X(cuEventCreate, Handle *, unsigned)                                                                       \
+  X(cuEventRecord, Handle, Handle)                                                                           \
+  X(cuEventSynchronize, Handle)                                                                              \
+  X(cuEventElapsedTime, float *, Handle, Handle)                                                             \
+  X(cuLaunchKernel, Handle, unsigned, unsigned, unsigned, unsigned, unsigned, unsigned, unsigned, Handle,    \
+    void **, void **)                                                                                        \
+  X(cuGetErrorString, Result, const char **)
 
 struct Driver {
-  Result (*cuInit)(unsigned);
-  Result (*cuDeviceGet)(int *, int);
-  Result (*cuDevicePrimaryCtxRetain)(Handle *, int);
-  Result (*cuCtxSetCurrent)(Handle);
-  Result (*cuModuleLoadData)(Handle *, const void *);
-  Result (*cuModuleGetFunction)(Handle *, Handle, const char *);
-  Result (*cuFuncGetAttribute)(int *, int, Handle);
-  Result (*cuMemAlloc_v2)(DevicePointer *, std::size_t);
-  Result (*cuMemFree_v2)(DevicePointer);
-  Result (*cuMemcpyHtoD_v2)(DevicePointer, const void *, std::size_t);
-  Result (*cuMemcpyDtoH_v2)(void *, DevicePointer, std::size_t);
-  Result (*cuEventCreate)(Handle *, unsigned);
-  Result (*cuEventRecord)(Handle, Handle);
-  Result (*cuEventSynchronize)(Handle);
-  Result (*cuEventElapsedTime)(float *, Handle, Handle);
-  Result (*cuLaunchKernel)(Handle, unsigned, unsigned, unsigned, unsigned, unsigned, unsigned, unsigned,
-                           Handle, void **, void **);
-  Result (*cuGetErrorString)(Result, const char **);
+#define VOXC_DECLARE(name, ...) Result (*name)(__VA_ARGS__);
+  VOXC_CUDA_FUNCTIONS(VOXC_DECLARE)
+#undef VOXC_DECLARE
 };
 
 /// The driver, and the first of its calls that failed: those behind it do nothing.
@@ -70,7 +56,7 @@ public:
       failure_ = "there is no driver of CUDA";
       return;
     }
-#define VOXC_LOAD(name)                                                                                      \
+#define VOXC_LOAD(name, ...)                                                                                 \
   if (!(driver_.name = reinterpret_cast<decltype(driver_.name)>(::dlsym(library, #name))))                   \
     failure_ = "the driver of CUDA has no " #name;
     VOXC_CUDA_FUNCTIONS(VOXC_LOAD)
