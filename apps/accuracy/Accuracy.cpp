@@ -23,7 +23,6 @@ namespace {
 struct Rays {
   std::vector<Ray> rays;
   Camera camera{.width = 0, .height = 0};
-  bool arePicture() const { return camera.width > 0; }
 };
 
 std::vector<std::string> precisions() { return {precisionNames().begin(), precisionNames().end()}; }

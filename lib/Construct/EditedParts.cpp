@@ -59,8 +59,6 @@ Next<Cube> EditedParts::next() {
     const bool isBuilt = isTouched(*cube);
     Expected<Fragment> part =
         isBuilt ? builder_.build(*cube, progress_) : extraction_.cube(cube->low, cube->log2Side);
-    if (part && isBuilt)
-      builtVoxels_ += part->voxels;
     if (!part || !isEmpty(*part))
       ahead_ = std::move(part);
   }

@@ -23,9 +23,6 @@ public:
   Next<Cube> next() override;
   Expected<Fragment> take() override;
 
-  /// Voxels of the parts that were built anew so far.
-  std::uint64_t builtVoxels() const { return builtVoxels_; }
-
 private:
   EditedParts(const Volume &volume, std::unique_ptr<VoxelSource> edited, std::span<const VoxelEdit> edits,
               PartBuilder builder, const BuildOptions &options);
@@ -39,7 +36,6 @@ private:
   const Progress &progress_;
   /// The next part, once it was asked for: never an empty one, but maybe an error, which then stays.
   std::optional<Expected<Fragment>> ahead_;
-  std::uint64_t builtVoxels_ = 0;
 };
 
 } // namespace voxc

@@ -62,9 +62,7 @@ private:
   int heightOf(int layer) const { return shape_.bottom + layer * shape_.branch; }
   void makeLayer(int layer);
   Form join(int layer, std::size_t number);
-  template <typename Visit> void forEachChild(int height, std::size_t number, const Visit &visit) const;
   TreeCount wholeRoot() const;
-  void countDistinct(Form form, TreeCount &count, std::uint32_t mark);
 
   const SceneDag &dag_;
   TreeShape shape_;

@@ -31,7 +31,6 @@ struct Finding {
   /// How far it is off beside what is nearest to it: what is expected, or the other tracer.
   double leastRatio() const { return peer ? std::min(ratio(), rayNanoseconds() / *peer) : ratio(); }
   double rayNanoseconds() const { return cost.nanoseconds / static_cast<double>(situation.count); }
-  double lookupRatio() const { return lookups / std::max(expected.lookups, 1.0); }
 };
 
 /// A finding as a line of JSON.

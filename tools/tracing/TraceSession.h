@@ -35,8 +35,6 @@ public:
 
   /// Chooses as --device and --threads do, in a command that has several of these.
   void choose(const std::string &device, unsigned threads);
-  /// Chooses as --order does.
-  void chooseOrder(const std::string &order) { order_ = order; }
 
   /// Looks for kernels among those that were compiled before: for commands that do not measure compiling.
   /// Asked before the device is opened.
@@ -72,8 +70,6 @@ public:
 
   /// The open device.
   DeviceInfo deviceInfo() const { return device_ ? device_->info() : cpuDeviceInfo(); }
-  /// Whether it is one of Vulkan's.
-  bool isVulkan() const { return device_ != nullptr; }
 
   /// What --threads says; 0: nothing.
   unsigned threads() const { return threads_; }
