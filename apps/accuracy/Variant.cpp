@@ -76,8 +76,7 @@ Expected<void> traceInTurn(std::span<const std::unique_ptr<VariantCandidate>> ca
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       const double done = static_cast<double>(round * candidates.size() + i);
       progress.at("trace", done / static_cast<double>((rounds + 1) * candidates.size()), 0);
-      if (progress.stopped())
-        return Error::interrupted();
+      VOXC_TRY(progress.check());
       measure::Times *const times = round > 0 ? &candidates[i]->times : nullptr;
       VOXC_TRY(candidates[i]->subject.trace(rays, times, progress));
     }

@@ -41,8 +41,7 @@ struct BrickCount {
 /// Calls `visit(low, count)` for each brick of a source that has any, in Morton order.
 template <typename Visit>
 Expected<void> forEachBrick(VoxelSource &source, const Cube &cube, const Progress &progress, Visit &visit) {
-  if (progress.stopped())
-    return Error::interrupted();
+  VOXC_TRY(progress.check());
   if (source.empty(cube))
     return {};
   if (cube.log2Side > kLog2Brick) {

@@ -36,8 +36,7 @@ Expected<PlanLock> PlanLock::take(const std::string &folder, const Progress &pro
       return cannotLock(path);
     if (isFirst)
       waits();
-    if (progress.stopped())
-      return Error::interrupted();
+    VOXC_TRY(progress.check());
     std::this_thread::sleep_for(kPause);
   }
   return lock;

@@ -54,8 +54,7 @@ Expected<void> runLevel(const Jobs &jobs, std::size_t level, const Numbers &miss
     }
   }
   threads.clear(); // Joins them.
-  if (watch.progress.stopped())
-    return Error::interrupted();
+  VOXC_TRY(watch.progress.check());
   const auto failed = std::ranges::find_if(outcomes, [](const Expected<void> &outcome) { return !outcome; });
   return failed == outcomes.end() ? Expected<void>() : *failed;
 }

@@ -113,8 +113,7 @@ private:
     using Clock = std::chrono::steady_clock;
     const auto end = Clock::now() + std::chrono::duration<double>(means_.pollSeconds);
     do {
-      if (watch_.progress.stopped())
-        return Error::interrupted();
+      VOXC_TRY(watch_.progress.check());
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     } while (Clock::now() < end);
     return {};

@@ -215,8 +215,7 @@ Expected<void> SearchCommand::search(Scene &scene, Json &figures) {
   Explored explored =
       search.explore(seeds, options_.shares.areElsewhere() ? measure::TimeBudget() : budget_, progress_);
   figures["explore_seconds"] = exploring.seconds();
-  if (progress_.stopped())
-    return Error::interrupted();
+  VOXC_TRY(progress_.check());
   if (explored.formats.empty())
     return budget_.isOver() ? tooShort("speeds were predicted") : explainNone(seeds, scene);
   if (options_.shares.areElsewhere()) {

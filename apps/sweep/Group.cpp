@@ -56,8 +56,7 @@ private:
 };
 
 Expected<void> Group::recordFailure(Runner &runner, const char *stage, const Expected<void> &outcome) const {
-  if (options_.progress.stopped())
-    return Error::interrupted();
+  VOXC_TRY(options_.progress.check());
   if (!outcome)
     runner.fail(stage, outcome.error());
   return {};

@@ -41,8 +41,7 @@ Expected<std::shared_ptr<Scene>> makeScene(const SceneMaker &maker, const SceneW
   } else {
     scene->model = VOXC_TRY(maker.makeModel(wish.format, progress));
   }
-  if (progress.stopped())
-    return Error::interrupted();
+  VOXC_TRY(progress.check());
   progress.at("compile the kernel", 0);
   scene->device = wish.device;
   auto tracers = VOXC_TRY(maker.makeTracers(scene->model, scene->device));

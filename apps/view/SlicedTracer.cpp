@@ -22,8 +22,7 @@ public:
     all.repeats.resize(1);
     std::size_t first = 0;
     do {
-      if (options.progress.stopped())
-        return Error::interrupted();
+      VOXC_TRY(options.progress.check());
       const std::size_t count = std::min(slice_, rays.size() - first);
       const Stopwatch watch;
       const auto report =

@@ -104,8 +104,7 @@ Expected<BuildReport> Constructor::joinFragments(const std::vector<std::string> 
       [&](const Cube &cube) { return isTooLarge(cube, fragments, mostBytes); });
   BuildReport report;
   while (const auto cube = cubes.next()) {
-    if (options.progress.stopped())
-      return Error::interrupted();
+    VOXC_TRY(options.progress.check());
     auto fragment = VOXC_TRY(joined.join(*cube, options.progress));
     VOXC_TRY(writer.add(fragment));
     report.voxels += fragment.voxels;

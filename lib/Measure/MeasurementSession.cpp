@@ -119,8 +119,7 @@ Expected<void> MeasurementSession::prepare(MeasuredFormat &measured, const Round
   measured.times.resize(rays_.size());
   Record &first = measured.records.front();
   Expected<Volume> volume = build(*measured.format, first, progress);
-  if (progress.stopped())
-    return Error::interrupted();
+  VOXC_TRY(progress.check());
   if (!volume) {
     measured.fail("build", volume.error());
     return {};
@@ -153,8 +152,7 @@ Expected<void> MeasurementSession::traceRound(MeasuredFormat &measured, bool cou
     const SampledRays &rays = rays_[set];
     const auto traced =
         measured.subject->trace(rays.rays, counted ? &measured.times[set] : nullptr, progress);
-    if (progress.stopped())
-      return Error::interrupted();
+    VOXC_TRY(progress.check());
     if (!traced) {
       measured.fail("trace", traced.error());
       return {};
@@ -260,8 +258,7 @@ Expected<std::vector<Finding>> MeasurementSession::measure(std::span<const Predi
   }
   // What the budget ends keeps the rounds that were finished.
   static_cast<void>(traceRounds(allMeasured, roundOptions, bounded));
-  if (progress.stopped())
-    return Error::interrupted();
+  VOXC_TRY(progress.check());
   std::vector<Finding> findings;
   for (MeasuredFormat &measured : allMeasured) {
     if (!measured.failure && (measured.isLate || measured.rounds < roundOptions.leastRounds)) {

@@ -132,8 +132,7 @@ Expected<FormatTable> search(const SearchScene &scene, std::vector<Candidate> se
   const Error none = explainNone(seeds, scene);
   measure::FormatSearch search(scene, std::move(sets), options);
   Explored explored = search.explore(std::move(seeds), budget, progress);
-  if (progress.stopped())
-    return Error::interrupted();
+  VOXC_TRY(progress.check());
   if (explored.formats.empty())
     return budget.isOver() ? tooShort(question.seconds) : none;
   std::vector<measure::Record> records;

@@ -35,8 +35,7 @@ private:
   static constexpr int kLog2Brick = 3;
 
   Expected<void> readCube(const Cube &cube) {
-    if (progress_.stopped())
-      return Error::interrupted();
+    VOXC_TRY(progress_.check());
     if (source_.empty(cube))
       return {};
     if (cube.log2Side == kLog2Brick)

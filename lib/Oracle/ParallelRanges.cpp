@@ -29,8 +29,7 @@ Expected<void> forEachRange(std::size_t count, unsigned threads, const Progress 
   const std::size_t ranges = rangeCount(count);
   const auto caller = std::this_thread::get_id();
   return parallelTry(ranges, threads, [&](std::uint64_t range) -> Expected<void> {
-    if (progress.stopped())
-      return Error::interrupted();
+    VOXC_TRY(progress.check());
     workOn(range, count, work);
     if (std::this_thread::get_id() == caller)
       progress.at("exact hits", static_cast<double>(range) / static_cast<double>(ranges), range * kRange);

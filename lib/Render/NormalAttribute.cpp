@@ -105,8 +105,7 @@ Expected<Attribute> normalAttribute(const Volume &volume, unsigned threads, cons
   if (!visited)
     return visited.error();
   Attribute attribute{"normal", sizeof(std::uint32_t), writer.finish()};
-  if (progress.stopped())
-    return Error::interrupted();
+  VOXC_TRY(progress.check());
   return attribute;
 }
 

@@ -83,8 +83,7 @@ TraceOptions Renderer::traceOptions() const {
 
 Expected<void> Renderer::forRows(int rows, FunctionRef<void(int row)> work) const {
   return parallelTry(std::uint64_t(rows), options_.threads, [&](std::uint64_t row) -> Expected<void> {
-    if (options_.progress.stopped())
-      return Error::interrupted();
+    VOXC_TRY(options_.progress.check());
     work(int(row));
     return {};
   });

@@ -57,14 +57,12 @@ Expected<void> SurfaceNormals::learn(std::span<const Hit> hits, const Progress &
       codes.push_back(codeOf(hit));
   std::ranges::sort(codes);
   codes.erase(std::ranges::unique(codes).begin(), codes.end());
-  if (progress.stopped())
-    return Error::interrupted();
+  VOXC_TRY(progress.check());
   std::vector<std::optional<SurfaceNormal>> found(codes.size());
   std::atomic<std::uint64_t> pagesRead = 0;
   const auto learnChunk = [&](Occupancy &occupancy, std::size_t first) -> Expected<void> {
     for (std::size_t i = first; i < std::min(first + kChunk, codes.size()); ++i) {
-      if (progress.stopped())
-        return Error::interrupted();
+      VOXC_TRY(progress.check());
       const SurfaceNormal normal = normalOf(occupancy.around(mortonCell(codes[i])));
       if (const auto &problem = occupancy.reader().problem())
         return *problem;

@@ -36,8 +36,7 @@ predictFormats(const ModelledScene &scene, std::vector<Candidate> candidates, co
   FormatPredictor predictor(scene);
   std::vector<PredictedFormat> rated;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    if (progress.stopped())
-      return Error::interrupted();
+    VOXC_TRY(progress.check());
     progress.at("rate", static_cast<double>(i) / static_cast<double>(candidates.size()));
     if (auto format = predictor.predict(std::move(candidates[i]), rays, model, wish.maxBytes))
       rated.push_back(std::move(*format));

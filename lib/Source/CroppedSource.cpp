@@ -80,8 +80,7 @@ Expected<Box> boxOf(VoxelSource &source, const Progress &progress) {
     if (cube.log2Side == kLog2Chunk) {
       progress.at("crop",
                   static_cast<double>(mortonCode(cube.low)) / static_cast<double>(cellCount(all.log2Side)));
-      if (progress.stopped())
-        return Error::interrupted();
+      VOXC_TRY(progress.check());
     }
     return box.holds(cube);
   };

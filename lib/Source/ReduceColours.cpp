@@ -69,8 +69,7 @@ Expected<Histogram> histogramOf(VoxelSource &source, std::size_t few, const Prog
   std::vector<Cube> ahead = {{{}, log2Around(source.extent())}};
   std::array<std::uint32_t, 512> brick;
   while (!ahead.empty()) {
-    if (progress.stopped())
-      return Error::interrupted();
+    VOXC_TRY(progress.check());
     const Cube cube = ahead.back();
     ahead.pop_back();
     if (isOutside(cube, source.extent()) || source.empty(cube))

@@ -37,8 +37,7 @@ Expected<MemoryBlock> StreamDecoder::decode(std::size_t stream) const {
   auto block = VOXC_TRY(memory_->reserve(told.bytes));
   const std::uint64_t runPages = kRunBytes / told.pageBytes;
   for (std::uint64_t first = 0; first < told.pages(); first += runPages) {
-    if (progress_.stopped())
-      return Error::interrupted();
+    VOXC_TRY(progress_.check());
     const std::uint64_t last = std::min(first + runPages, told.pages());
     const std::uint64_t begin = first * told.pageBytes;
     VOXC_TRY(memory_->extend(block, std::min(kRunBytes, told.bytes - begin)));

@@ -70,8 +70,7 @@ Expected<void> PageAppender::appendRun(const Stream &stream, std::uint64_t begin
 Expected<std::vector<PageRow>> PageAppender::append(const Stream &stream) {
   std::vector<PageRow> rows;
   for (std::uint64_t begin = 0; begin < stream.bytes.size(); begin += encoders_.size() * pageBytes_) {
-    if (options_.progress.stopped())
-      return Error::interrupted();
+    VOXC_TRY(options_.progress.check());
     options_.progress.at("compress", static_cast<double>(begin) / static_cast<double>(stream.bytes.size()));
     VOXC_TRY(appendRun(stream, begin, rows));
   }

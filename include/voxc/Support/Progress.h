@@ -1,6 +1,8 @@
 // Progress and cancellation of long work, as one object that callers may pass.
 #pragma once
 
+#include "voxc/Support/Error.h"
+
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -25,6 +27,12 @@ struct Progress {
       report(stage, fraction, done);
   }
   bool stopped() const { return (stop && stop->load(std::memory_order_relaxed)) || (ask && ask()); }
+  /// The error that ends work which is to stop: `VOXC_TRY(progress.check());`.
+  Expected<void> check() const {
+    if (stopped())
+      return Error::interrupted();
+    return {};
+  }
   /// The same without reports, for work of other threads.
   Progress silent() const { return {{}, stop, ask}; }
 };

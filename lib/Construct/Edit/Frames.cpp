@@ -18,8 +18,7 @@ public:
   Expected<void> run(std::unique_ptr<VoxelSource> first, std::size_t count) {
     states_.push_back(volume_.snapshot());
     for (std::size_t i = 1; i < count; ++i) {
-      if (options_.progress.stopped())
-        return Error::interrupted();
+      VOXC_TRY(options_.progress.check());
       auto next = VOXC_TRY(open_(i));
       if (auto added = add(*first, *next); !added)
         return Error{added.error().kind, "frame " + std::to_string(i + 1) + ": " + added.error().message};

@@ -135,8 +135,7 @@ std::unique_ptr<ByteStream> makeBzip2Stream(std::span<const std::byte> bytes) {
 Expected<std::uint64_t> countBytes(ByteStream &stream, std::uint64_t most, const Progress &progress) {
   std::vector<std::byte> some(kStep);
   for (std::uint64_t count = 0;;) {
-    if (progress.stopped())
-      return Error::interrupted();
+    VOXC_TRY(progress.check());
     const auto read = VOXC_TRY(stream.readSome(some));
     count += read;
     if (count > most)
@@ -150,8 +149,7 @@ Expected<std::uint64_t> countBytes(ByteStream &stream, std::uint64_t most, const
 Expected<void> skipBytes(ByteStream &stream, std::uint64_t count, const Progress &progress) {
   std::vector<std::byte> some(static_cast<std::size_t>(std::min<std::uint64_t>(kStep, count)));
   for (std::uint64_t done = 0; done < count;) {
-    if (progress.stopped())
-      return Error::interrupted();
+    VOXC_TRY(progress.check());
     const std::size_t now = static_cast<std::size_t>(std::min<std::uint64_t>(some.size(), count - done));
     const auto read = VOXC_TRY(stream.readSome(std::span(some).first(now)));
     done += read;
@@ -180,8 +178,7 @@ Expected<void> appendBytes(ByteStream &stream, std::uint64_t count, ScratchArray
   const std::uint64_t begin = target.size();
   for (std::uint64_t done = 0; done < count;) {
     progress.at("inflate", static_cast<double>(done) / static_cast<double>(count));
-    if (progress.stopped())
-      return Error::interrupted();
+    VOXC_TRY(progress.check());
     const std::size_t now = static_cast<std::size_t>(std::min<std::uint64_t>(kStep, count - done));
     VOXC_TRY(target.resize(begin + done + now));
     const auto read = VOXC_TRY(stream.readSome(target.span().subspan(begin + done, now)));

@@ -90,8 +90,7 @@ Expected<void> forEachRun(const DenseVolume &volume, const InputOptions &options
   const std::uint64_t count = cellsOf(volume.extent);
   const std::uint64_t bytes = byteSize(volume.layout.type);
   for (std::uint64_t done = 0; done < count; done += kPiece) {
-    if (options.progress.stopped())
-      return Error::interrupted();
+    VOXC_TRY(options.progress.check());
     visit(volume.samples + done * bytes,
           static_cast<std::size_t>(std::min<std::uint64_t>(kPiece, count - done)));
     options.memory->relieve();
@@ -136,8 +135,7 @@ Expected<void> forEachPiece(const DenseVolume &volume, const InputOptions &optio
   Int3 cell;
   for (cell[order[2]] = 0; cell[order[2]] < volume.extent[order[2]]; ++cell[order[2]])
     for (cell[order[1]] = 0; cell[order[1]] < volume.extent[order[1]]; ++cell[order[1]]) {
-      if (options.progress.stopped())
-        return Error::interrupted();
+      VOXC_TRY(options.progress.check());
       visitRow(volume, order[0], cell, gathered, visit);
       options.memory->relieve();
     }

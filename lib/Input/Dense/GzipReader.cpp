@@ -85,8 +85,7 @@ Expected<std::shared_ptr<const InflatedBytes>> GzipReader::read(std::uint64_t co
   constexpr std::uint64_t kStep = std::uint64_t{1} << 18;
   for (std::uint64_t done = 0; done < count; done += kStep) {
     progress.at("inflate", static_cast<double>(done) / static_cast<double>(count));
-    if (progress.stopped())
-      return Error::interrupted();
+    VOXC_TRY(progress.check());
     VOXC_TRY(read(inflated->span().subspan(done, std::min(kStep, count - done))));
     memory->relieve();
   }

@@ -45,8 +45,7 @@ public:
     std::vector<std::uint64_t> intensities(1 << 16);
     for (std::uint64_t i = 0; i < header_.count; ++i) {
       if (i % kLasPointsBetweenLooks == 0) {
-        if (progress.stopped())
-          return Error::interrupted();
+        VOXC_TRY(progress.check());
         memory.relieve(kLasPointsBetweenLooks * header_.stride);
       }
       const auto row = rowOf(i);

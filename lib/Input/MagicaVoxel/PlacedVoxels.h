@@ -70,8 +70,7 @@ private:
   template <typename Visit>
   Expected<void> forEachOf(const ScenePart &part, const Progress &progress, Visit visit) const {
     for (const VoxInstance &instance : part.scene.instances) {
-      if (progress.stopped())
-        return Error::interrupted();
+      VOXC_TRY(progress.check());
       const VoxModel &model = *instance.model;
       for (std::size_t at = 0; at < model.voxels.size(); at += 4) {
         Long3 cell;

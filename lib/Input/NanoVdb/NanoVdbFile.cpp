@@ -126,8 +126,7 @@ Expected<StoredGrid> inflateBlosc(const ListedGrid &grid, const std::shared_ptr<
   auto inflated = std::make_shared<InflatedBytes>(memory);
   std::span<const std::byte> rest = grid.stored;
   for (std::uint64_t done = 0; done < grid.bytes;) {
-    if (progress.stopped())
-      return Error::interrupted();
+    VOXC_TRY(progress.check());
     const std::uint64_t chunk = std::min(kChunk, grid.bytes - done);
     std::uint64_t size = 0;
     if (!take(rest, size) || size > rest.size())

@@ -166,8 +166,7 @@ private:
   }
 
   Expected<void> checkUpper(const std::byte *node, Int3 low) {
-    if (progress_.stopped())
-      return Error::interrupted();
+    VOXC_TRY(progress_.check());
     for (std::uint32_t slot = 0; slot < kUpperShape.children(); ++slot) {
       const Int3 childLow = kUpperShape.lowOf(low, slot);
       if (!kUpperShape.bit(node, kUpperShape.isChild, slot)) {

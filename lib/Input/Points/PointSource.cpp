@@ -114,8 +114,7 @@ private:
     std::array<PlyPoint, kBatch> batch;
     dropped_ = 0;
     for (std::uint64_t first = 0; first < points_.size(); first += kBatch) {
-      if (options_.progress.stopped())
-        return Error::interrupted();
+      VOXC_TRY(options_.progress.check());
       options_.memory->relieve();
       const std::span<PlyPoint> points = std::span(batch).first(std::min(kBatch, points_.size() - first));
       points_.read(first, points);

@@ -39,8 +39,7 @@ public:
     std::vector<std::uint32_t> words;
     for (std::uint64_t i = 0; i < numbers.size(); ++i) {
       if (i % kPointsBetweenLooks == 0) {
-        if (progress.stopped())
-          return Error::interrupted();
+        VOXC_TRY(progress.check());
         memory_->relieve();
       }
       cursor.moveTo(i);

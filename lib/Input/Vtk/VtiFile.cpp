@@ -66,8 +66,7 @@ private:
         return *problem_;
       if (isStopped_)
         break;
-      if (progress_.stopped())
-        return Error::interrupted();
+      VOXC_TRY(progress_.check());
       if (status != XML_STATUS_OK)
         return Error::input("its XML is broken in line " +
                             std::to_string(XML_GetCurrentLineNumber(parser_.get())) + ": " +

@@ -164,8 +164,7 @@ Expected<VtkNumbers> readPieces(const VtiFile &file, const VtkArray &wanted, con
   VtkBytes cells(options.memory);
   VOXC_TRY(cells.resize(whole.count() * bytes));
   for (auto &[box, numbers] : parts) {
-    if (options.progress.stopped())
-      return Error::interrupted();
+    VOXC_TRY(options.progress.check());
     copyPiece(whole, box, bytes, numbers.first, cells.data());
     numbers.storage.reset();
     options.memory->relieve(box.count() * bytes);

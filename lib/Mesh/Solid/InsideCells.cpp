@@ -56,8 +56,7 @@ Expected<ScratchArray<BrickCells>> voxelsOfCaps(const ClosedMesh &mesh, const Vo
   TriangleCursor cursor(*mesh.scene, mesh.model.numbers);
   for (std::uint64_t number = mesh.caps; number < mesh.model.numbers.size(); ++number) {
     if (number % kBetweenLooks == 0) {
-      if (progress.stopped())
-        return Error::interrupted();
+      VOXC_TRY(progress.check());
       memory->relieve();
     }
     cursor.moveTo(number);

@@ -37,8 +37,7 @@ Expected<void> forEachTriangle(const TriangleScene &scene, const MeshModel &mode
   TriangleCursor cursor(scene, model.numbers);
   for (std::uint64_t number = 0; number < model.numbers.size(); ++number) {
     if (number % kBetweenLooks == 0) {
-      if (progress.stopped())
-        return Error::interrupted();
+      VOXC_TRY(progress.check());
       memory.relieve();
     }
     if (only && !only->has(number))

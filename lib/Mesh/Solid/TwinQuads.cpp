@@ -49,8 +49,7 @@ public:
     for (std::size_t begin = 0, end = 0; begin < pairs.size(); begin = end) {
       while (end < pairs.size() && pairs[end].quad == pairs[begin].quad)
         ++end;
-      if (progress_.stopped())
-        return Error::interrupted();
+      VOXC_TRY(progress_.check());
       const Pair *const side = sideOf(pairs.subspan(begin, end - begin));
       if (!side)
         continue;

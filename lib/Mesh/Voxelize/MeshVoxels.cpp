@@ -49,8 +49,7 @@ Expected<void> forEachChunk(const MeshVoxels &mesh, const Region &region, double
   for (const auto &[first, end] : region.triangles)
     for (std::uint64_t number = first; number < end; ++number) {
       if (number % kStep == 0) {
-        if (mesh.progress.stopped())
-          return Error::interrupted();
+        VOXC_TRY(mesh.progress.check());
         mesh.memory->relieve();
       }
       if (number % kProgressStep == 0)

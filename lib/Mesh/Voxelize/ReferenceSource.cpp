@@ -211,8 +211,7 @@ Expected<std::unique_ptr<VoxelSource>> makeReferenceMeshSource(const TriangleSce
   const std::uint64_t count = model.numbers.size();
   for (std::uint64_t number = 0; number < count; ++number) {
     if (number % kProgressStep == 0) {
-      if (options.progress.stopped())
-        return Error::interrupted();
+      VOXC_TRY(options.progress.check());
       options.progress.at("voxelize", static_cast<double>(number) / static_cast<double>(count));
     }
     reference.add(static_cast<std::uint32_t>(number));

@@ -72,8 +72,7 @@ Expected<Bounds> boundsOf(const TriangleScene &scene, const TriangleNumbers &num
       builder.add(corner);
     }
     if (number % kStep == 0) {
-      if (progress.stopped())
-        return Error::interrupted();
+      VOXC_TRY(progress.check());
       if (memory)
         memory->relieve();
     }

@@ -99,8 +99,7 @@ Expected<TextureMeans::Level> TextureMeans::above(int level, const std::shared_p
     return sized.error();
   Cell *cells = next.cells.data();
   for (int y = 0; y < next.height; ++y) {
-    if (progress.stopped())
-      return Error::interrupted();
+    VOXC_TRY(progress.check());
     for (int x = 0; x < next.width; ++x)
       *cells++ = meanOf(level, x, y);
     memory->relieve(static_cast<std::uint64_t>(next.width) * 4 * sizeof(Cell));

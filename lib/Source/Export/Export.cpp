@@ -134,8 +134,7 @@ Expected<Exported> exportVoxels(const Volume &volume, const std::string &path, c
                         "' is no volume that could be compressed; only a file that ends in .hvx is");
   if (options.texture && ending != ".glb")
     return Error::usage("'" + path + "' has no texture; only a file that ends in .glb may have one");
-  if (options.save.progress.stopped())
-    return Error::interrupted();
+  VOXC_TRY(options.save.progress.check());
   for (const OtherExport &other : options.otherKinds)
     if (other.ending == ending) {
       VOXC_TRY(other.write(volume, path, options));

@@ -167,8 +167,7 @@ private:
   }
 
   Expected<void> traverseBlock(Int3 low) {
-    if (progress_.stopped())
-      return Error::interrupted();
+    VOXC_TRY(progress_.check());
     const auto hasVoxel = VOXC_TRY(block_.read(low));
     if (hasVoxel)
       mergeBlock(low);

@@ -39,8 +39,7 @@ private:
   Expected<void> traverse(const Cube &cube) {
     if (source_->empty(cube))
       return {};
-    if (progress_.stopped())
-      return Error::interrupted();
+    VOXC_TRY(progress_.check());
     if (cube.log2Side == kLog2Upper)
       return addUpper(cube);
     if (cube.log2Side == kLog2Lower)

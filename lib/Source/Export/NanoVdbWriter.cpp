@@ -205,8 +205,7 @@ private:
     const auto node = std::make_unique<Node>();
     std::uint64_t place = firstPlace;
     for (const TreeNode &record : nodes.span()) {
-      if (progress_.stopped())
-        return Error::interrupted();
+      VOXC_TRY(progress_.check());
       *node = {};
       node->box = boxOf(record.box);
       std::uint64_t next = firstChild + record.firstNode * bytesEach;

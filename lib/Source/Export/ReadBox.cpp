@@ -87,8 +87,7 @@ Expected<void> forEachRun(const Volume &volume, const Progress &progress,
   std::vector<std::uint32_t> words(static_cast<std::size_t>(layers * std::int64_t{extent.x} * rows));
   for (Int3 low; low.z < extent.z; low.z += layers)
     for (low.y = 0; low.y < extent.y; low.y += rows) {
-      if (progress.stopped())
-        return Error::interrupted();
+      VOXC_TRY(progress.check());
       const Int3 high{extent.x, std::min(low.y + rows, extent.y), std::min(low.z + layers, extent.z)};
       const Int3 size = high - low;
       const auto box =

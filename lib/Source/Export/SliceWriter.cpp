@@ -111,8 +111,7 @@ Expected<void> writeSlices(const Volume &volume, const std::string &path, const 
     const auto count = static_cast<std::size_t>(std::min(slices.atOnce(), slices.count() - first));
     slices.read(first, static_cast<std::int32_t>(count), words);
     auto encoded = parallelTry(count, options.save.threads, [&](std::uint64_t i) -> Expected<void> {
-      if (options.save.progress.stopped())
-        return Error::interrupted();
+      VOXC_TRY(options.save.progress.check());
       pictures[i] =
           VOXC_TRY(encodePng(std::span(words).subspan(i * cells, cells), slices.width(), slices.height()));
       return {};
@@ -120,8 +119,7 @@ Expected<void> writeSlices(const Volume &volume, const std::string &path, const 
     if (!encoded)
       return encoded;
     for (std::size_t i = 0; i < count; ++i) {
-      if (options.save.progress.stopped())
-        return Error::interrupted();
+      VOXC_TRY(options.save.progress.check());
       options.save.progress.at("write", static_cast<double>(first + std::int32_t(i)) / slices.count());
       VOXC_TRY(files ? files->add(pictures[i]) : writeFile(path, pictures[i]));
     }

@@ -211,8 +211,7 @@ Expected<void> InstanceRounds::trace(const RaySpan &rays, std::span<InstanceHit>
   begin(rays);
   const auto isDone = [](const Chunk &chunk) { return chunk.numbers.empty(); };
   for (unsigned most = 1; !std::ranges::all_of(chunks_, isDone); most = std::min(2 * most, kMostAtOnce)) {
-    if (options.progress.stopped())
-      return Error::interrupted();
+    VOXC_TRY(options.progress.check());
     parallelFor(chunks_.size(), threads_,
                 [&](std::uint64_t index) { select(chunks_[index], rays, hits, most); });
     for (std::uint32_t group = 0; group < world_.groups.size(); ++group)

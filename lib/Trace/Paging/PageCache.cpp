@@ -212,8 +212,7 @@ Expected<void> PageCache::load(std::span<const std::uint32_t> pages, const Place
   const double begin = wallSeconds();
   const std::vector<std::uint32_t> slots = slotsFor(pages.size());
   for (std::size_t first = 0; first < slots.size(); first += kRunPages) {
-    if (progress.stopped())
-      return Error::interrupted();
+    VOXC_TRY(progress.check());
     const auto run = pages.subspan(first, std::min(kRunPages, slots.size() - first));
     VOXC_TRY(decode(run));
     for (std::size_t i = 0; i < run.size(); ++i) {

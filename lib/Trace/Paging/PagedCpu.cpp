@@ -49,8 +49,7 @@ public:
     const auto *words = reinterpret_cast<const std::uint32_t *>(&pages_);
     const std::uint64_t chunks = (group.count + kChunkRays - 1) / kChunkRays;
     const auto traced = parallelTry(chunks, threads_, [&](std::uint64_t chunk) -> Expected<void> {
-      if (options.progress.stopped())
-        return Error::interrupted();
+      VOXC_TRY(options.progress.check());
       const std::uint64_t first = group.first + chunk * kChunkRays;
       const std::uint64_t count = std::min(kChunkRays, group.first + group.count - first);
       kernel_.function(words, rays_.origin(first), reinterpret_cast<std::uint32_t *>(&hits_[first]), count,

@@ -118,8 +118,7 @@ Expected<void> Driver::traceBatch(Batch &batch) {
   const double cpu = processCpuSeconds();
   bool goesOn = false;
   while (batch.group.first < batch.hits.size()) {
-    if (batch.options.progress.stopped())
-      return Error::interrupted();
+    VOXC_TRY(batch.options.progress.check());
     auto time = VOXC_TRY(backEnd_->trace(batch.group, goesOn, cache_.table(), batch.options));
     batch.time.device += time.device;
     goesOn = true;

@@ -30,8 +30,7 @@ public:
 
 private:
   Expected<void> descend(const Cube &cube) {
-    if (progress_.stopped())
-      return Error::interrupted();
+    VOXC_TRY(progress_.check());
     if (isOutOfRange(cube) || (volume_.empty(cube) && input_.empty(cube)))
       return {};
     if (cube.log2Side == kLog2Block)
