@@ -130,8 +130,7 @@ Expected<std::unique_ptr<VoxelSource>> makeDenseSource(Int3 extent, std::shared_
   for (std::int32_t z = 0; z < extent.z; ++z) {
     progress.at("load", static_cast<double>(z) / extent.z);
     for (std::int32_t y = 0; y < extent.y; ++y) {
-      if (progress.stopped())
-        return Error::interrupted();
+      VOXC_TRY(progress.check());
       marker.mark(y, z);
       grid->relieve();
     }
@@ -157,14 +156,23 @@ Transform turnUpright(const Transform &voxelToModel, std::int32_t height) {
 }
 
 Expected<std::unique_ptr<VoxelSource>> makeUprightSource(Int3 extent, std::shared_ptr<const DenseRows> rows,
+                                                         const Transform &voxelToModel, bool zUp,
+                                                         std::shared_ptr<WorkingMemory> memory,
+                                                         const Progress &progress) {
+  if (!zUp)
+    return makeDenseSource(extent, std::move(rows), voxelToModel, std::move(memory), progress);
+  return makeDenseSource({extent.x, extent.z, extent.y}, turnUpright(std::move(rows), extent.y),
+                         turnUpright(voxelToModel, extent.y), std::move(memory), progress);
+}
+
+Expected<std::unique_ptr<VoxelSource>> makeUprightSource(Int3 extent, std::shared_ptr<const DenseRows> rows,
                                                          OccupancyPyramid occupancy,
                                                          const Transform &voxelToModel, bool zUp,
                                                          std::shared_ptr<WorkingMemory> memory,
                                                          const Progress &progress) {
   if (!zUp)
     return makeDenseSource(extent, std::move(rows), std::move(occupancy), voxelToModel, std::move(memory));
-  return makeDenseSource({extent.x, extent.z, extent.y}, turnUpright(std::move(rows), extent.y),
-                         turnUpright(voxelToModel, extent.y), std::move(memory), progress);
+  return makeUprightSource(extent, std::move(rows), voxelToModel, zUp, std::move(memory), progress);
 }
 
 } // namespace voxc

@@ -37,6 +37,11 @@ std::shared_ptr<const DenseRows> turnUpright(std::shared_ptr<const DenseRows> ro
 /// The map of a grid that was turned.
 Transform turnUpright(const Transform &voxelToModel, std::int32_t height);
 
+/// As `makeDenseSource` with progress, of a grid that is turned where its +z points up.
+Expected<std::unique_ptr<VoxelSource>> makeUprightSource(Int3 extent, std::shared_ptr<const DenseRows> rows,
+                                                         const Transform &voxelToModel, bool zUp,
+                                                         std::shared_ptr<WorkingMemory> memory,
+                                                         const Progress &progress);
 /// A grid that knows what is empty; where its +z points up it is turned, and read once. Error: interrupted.
 Expected<std::unique_ptr<VoxelSource>> makeUprightSource(Int3 extent, std::shared_ptr<const DenseRows> rows,
                                                          OccupancyPyramid occupancy,

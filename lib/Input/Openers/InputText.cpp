@@ -9,6 +9,12 @@
 
 namespace voxc {
 
+Error notUsable(const Error &error, const std::string &path, std::string_view kind) {
+  if (error.kind != ErrorKind::Input)
+    return error;
+  return Error::input("'" + path + "' is not a usable " + std::string(kind) + ": " + error.message);
+}
+
 int longestAxis(Int3 extent) { return std::max({extent.x, extent.y, extent.z}); }
 
 std::string byThree(const std::array<double, 3> &numbers) {

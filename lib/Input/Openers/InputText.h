@@ -12,6 +12,15 @@
 
 namespace voxc {
 
+/// An error of what is in a file, as one of the file: "'a.vox' is not a usable MagicaVoxel file: ..."; others
+/// stay as they are.
+Error notUsable(const Error &error, const std::string &path, std::string_view kind);
+/// A result whose error is one of the file.
+template <typename Value>
+Expected<Value> usable(Expected<Value> result, const std::string &path, std::string_view kind) {
+  return result ? std::move(result) : notUsable(result.error(), path, kind);
+}
+
 /// The longest axis of an extent.
 int longestAxis(Int3 extent);
 

@@ -18,6 +18,8 @@ namespace voxc {
 
 namespace {
 
+constexpr std::string_view kKind = "binvox file";
+
 /// A bit for each voxel, in the order of the file.
 using Bits = ScratchArray<std::uint64_t>;
 
@@ -126,8 +128,7 @@ Expected<void> readRuns(std::string_view runs, std::uint64_t cells, Bits &bits, 
       setBits(bits.span(), done, done + count);
     done += count;
     if (runs.size() % (1 << 16) < 2) {
-      if (options.progress.stopped())
-        return Error::interrupted();
+      VOXC_TRY(options.progress.check());
       options.memory->relieve();
     }
   }
@@ -162,32 +163,17 @@ std::vector<InputFact> factsOf(const BinvoxHeader &header, const Bits &bits) {
 Expected<Input> openBinvox(const std::string &path, const InputOptions &options) {
   const Stopwatch loading;
   auto file = VOXC_TRY(WatchedFile::open(path, options.memory));
-  const auto broken = [&](const Error &error) {
-    return error.kind == ErrorKind::Input
-               ? Error::input("'" + path + "' is not a usable binvox file: " + error.message)
-               : error;
-  };
   std::string_view text = file->text();
-  auto header = readHeader(text);
-  if (!header)
-    return broken(header.error());
-  const Int3 stored = header->extent;
+  auto header = VOXC_TRY(usable(readHeader(text), path, kKind));
+  const Int3 extent = header.extent;
   auto bits = std::make_shared<Bits>(options.memory);
-  if (auto read = readRuns(text, cellsOf(stored), *bits, options, header->warnings); !read)
-    return broken(read.error());
+  VOXC_TRY(usable(readRuns(text, cellsOf(extent), *bits, options, header.warnings), path, kKind));
   Input input;
   if (options.describe)
-    input.facts = factsOf(*header, *bits);
-  std::shared_ptr<const DenseRows> rows = std::make_shared<BitRows>(stored, std::move(bits));
-  Transform map = mapOf(*header);
-  Int3 extent = stored;
-  if (options.zUp) {
-    rows = turnUpright(std::move(rows), stored.y);
-    map = turnUpright(map, stored.y);
-    extent = {stored.x, stored.z, stored.y};
-  }
-  input.source = VOXC_TRY(makeDenseSource(extent, std::move(rows), map, options.memory, options.progress));
-  input.warnings = std::move(header->warnings);
+    input.facts = factsOf(header, *bits);
+  input.source = VOXC_TRY(makeUprightSource(extent, std::make_shared<BitRows>(extent, std::move(bits)),
+                                            mapOf(header), options.zUp, options.memory, options.progress));
+  input.warnings = std::move(header.warnings);
   input.loadSeconds = loading.seconds();
   input.provenance = "coverage=voxels" + upProvenance(options);
   return input;

@@ -12,13 +12,8 @@ Expected<Input> openDense(const std::string &path, std::string_view kind, const 
                           ReadDense read) {
   const Stopwatch loading;
   auto file = VOXC_TRY(WatchedFile::open(path, options.memory));
-  auto volume = read(std::move(file));
-  if (!volume && volume.error().kind == ErrorKind::Input)
-    return Error::input("'" + path + "' is not a usable " + std::string(kind) +
-                        " file: " + volume.error().message);
-  if (!volume)
-    return volume.error();
-  auto input = VOXC_TRY(makeInput(std::move(*volume), options));
+  auto volume = VOXC_TRY(usable(read(std::move(file)), path, std::string(kind) + " file"));
+  auto input = VOXC_TRY(makeInput(std::move(volume), options));
   if (!options.grid.empty())
     input.provenance += " grid=" + provenanceWord(options.grid);
   input.loadSeconds = loading.seconds();

@@ -24,6 +24,8 @@ namespace voxc {
 
 namespace {
 
+constexpr std::string_view kKind = "MagicaVoxel file";
+
 /// A file of some megabytes may place its models so often that nothing could hold their voxels.
 constexpr std::uint64_t kMostPlaced = std::uint64_t{1} << 30;
 
@@ -239,30 +241,23 @@ Expected<Input> openMagicaVoxel(const std::string &path, const InputOptions &opt
   constexpr std::size_t kMostFiles = 4096;
   const auto named = VOXC_TRY(parseFramePath(path));
   const auto paths = VOXC_TRY(numberedPaths(named.path, kMostFiles));
-  const auto broken = [](const std::string &name, const Error &error) {
-    return error.kind == ErrorKind::Input
-               ? Error::input("'" + name + "' is not a usable MagicaVoxel file: " + error.message)
-               : error;
-  };
   std::optional<std::int32_t> frame;
   if (named.frame > 0 || options.boxOfAllFrames)
     frame = std::max(named.frame, 1) - 1;
   SceneParts parts;
   for (const std::string &name : paths) {
     auto file = VOXC_TRY(WatchedFile::open(name, options.memory));
-    if (auto added = addPart(parts, std::move(file), frame); !added)
-      return broken(name, added.error());
-    if (auto widened = options.boxOfAllFrames ? coverAllFrames(parts.back()) : Expected<void>(); !widened)
-      return broken(name, widened.error());
+    VOXC_TRY(usable(addPart(parts, std::move(file), frame), name, kKind));
+    if (options.boxOfAllFrames)
+      VOXC_TRY(usable(coverAllFrames(parts.back()), name, kKind));
   }
-  auto input = openScene(parts, options);
-  if (!input && input.error().kind == ErrorKind::Usage)
-    return Error::input("'" + path + "' " + input.error().message);
-  if (!input)
-    return broken(path, input.error());
+  auto opened = openScene(parts, options);
+  if (!opened && opened.error().kind == ErrorKind::Usage)
+    return Error::input("'" + path + "' " + opened.error().message);
+  auto input = VOXC_TRY(usable(std::move(opened), path, kKind));
   for (std::string &sentence : saysBesides(named.path))
-    input->warnings.push_back(std::move(sentence));
-  input->loadSeconds = loading.seconds();
+    input.warnings.push_back(std::move(sentence));
+  input.loadSeconds = loading.seconds();
   return input;
 }
 

@@ -26,8 +26,7 @@ Expected<InflatedBytes> inflate(std::span<const std::byte> &packed, const InputO
   GzipReader reader(packed);
   InflatedBytes bytes(options.memory);
   for (std::uint64_t done = 0;;) {
-    if (options.progress.stopped())
-      return Error::interrupted();
+    VOXC_TRY(options.progress.check());
     if (done >= kMost)
       return Error::input("it has more than 4 GiB when it is inflated");
     VOXC_TRY(bytes.resize(done + kStep));
@@ -133,13 +132,11 @@ Expected<Input> openBytes(std::span<const std::byte> bytes, const InputOptions &
 Expected<Input> openMinecraft(const std::string &path, const InputOptions &options) {
   const Stopwatch loading;
   const auto file = VOXC_TRY(WatchedFile::open(path, options.memory));
-  auto input = openBytes(file->bytes(), options);
-  if (!input && input.error().kind == ErrorKind::Usage)
-    return Error::usage("'" + path + "' " + input.error().message);
-  if (!input && input.error().kind == ErrorKind::Input)
-    return Error::input("'" + path + "' is not a usable Minecraft schematic: " + input.error().message);
-  if (input)
-    input->loadSeconds = loading.seconds();
+  auto opened = openBytes(file->bytes(), options);
+  if (!opened && opened.error().kind == ErrorKind::Usage)
+    return Error::usage("'" + path + "' " + opened.error().message);
+  auto input = VOXC_TRY(usable(std::move(opened), path, "Minecraft schematic"));
+  input.loadSeconds = loading.seconds();
   return input;
 }
 

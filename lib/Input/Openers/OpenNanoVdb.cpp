@@ -262,31 +262,20 @@ Expected<Input> makeInput(std::shared_ptr<const OpenGrid> open, const InputOptio
 
 Expected<Input> openFile(const std::string &path, const InputOptions &options) {
   auto file = VOXC_TRY(WatchedFile::open(path, options.memory));
-  const auto broken = [&](const Error &error) {
-    return error.kind == ErrorKind::Input
-               ? Error::input("'" + path + "' is not a usable NanoVDB file: " + error.message)
-               : error;
-  };
-  auto stored = findNanoVdbGrid(std::move(file), options.grid, options.memory, options.progress);
-  if (!stored)
-    return broken(stored.error());
-  auto grid = NanoVdbGrid::open(stored->bytes, options.progress);
-  if (!grid)
-    return broken(grid.error());
-  auto input =
-      makeInput(std::make_shared<const OpenGrid>(OpenGrid{std::move(*stored), std::move(*grid)}), options);
-  if (!input)
-    return broken(input.error());
-  return input;
+  constexpr std::string_view kKind = "NanoVDB file";
+  auto stored = VOXC_TRY(
+      usable(findNanoVdbGrid(std::move(file), options.grid, options.memory, options.progress), path, kKind));
+  auto grid = VOXC_TRY(usable(NanoVdbGrid::open(stored.bytes, options.progress), path, kKind));
+  auto open = std::make_shared<const OpenGrid>(OpenGrid{std::move(stored), std::move(grid)});
+  return usable(makeInput(std::move(open), options), path, kKind);
 }
 
 } // namespace
 
 Expected<Input> openNanoVdb(const std::string &path, const InputOptions &options) {
   const Stopwatch loading;
-  auto input = openFile(path, options);
-  if (input)
-    input->loadSeconds = loading.seconds();
+  auto input = VOXC_TRY(openFile(path, options));
+  input.loadSeconds = loading.seconds();
   return input;
 }
 

@@ -18,6 +18,8 @@ namespace voxc {
 
 namespace {
 
+constexpr std::string_view kKind = "slice";
+
 using ScratchCells = ScratchArray<std::byte>;
 
 class WordRows final : public DenseRows {
@@ -78,32 +80,22 @@ Expected<void> append(const Slice &slice, SliceReader &reader, const InputOption
 Expected<void> appendFile(const std::string &path, const InputOptions &options, Stack &stack,
                           ScratchCells &cells) {
   auto file = VOXC_TRY(WatchedFile::open(path, options.memory));
-  const auto broken = [&](const Error &error) {
-    return error.kind == ErrorKind::Input
-               ? Error::input("'" + path + "' is not a usable slice: " + error.message)
-               : error;
-  };
-  auto reader = isTiff(file->bytes()) ? openTiffSlices(file->bytes()) : openPngSlice(file->bytes());
-  if (!reader)
-    return broken(reader.error());
+  const auto reader = VOXC_TRY(usable(
+      isTiff(file->bytes()) ? openTiffSlices(file->bytes()) : openPngSlice(file->bytes()), path, kKind));
   while (true) {
-    if (options.progress.stopped())
-      return Error::interrupted();
+    VOXC_TRY(options.progress.check());
     Slice slice;
-    const auto next = (*reader)->next(slice);
-    if (!next)
-      return broken(next.error());
-    if (!*next)
+    const auto hasOne = VOXC_TRY(usable(reader->next(slice), path, kKind));
+    if (!hasOne)
       break;
-    if (auto appended = append(slice, **reader, options, stack, cells); !appended)
-      return broken(appended.error());
+    VOXC_TRY(usable(append(slice, *reader, options, stack, cells), path, kKind));
   }
   // Of many files that all say the same, once is enough.
-  for (std::string &warning : (*reader)->warnings)
+  for (std::string &warning : reader->warnings)
     if (std::ranges::find(stack.warnings, warning) == stack.warnings.end())
       stack.warnings.push_back(std::move(warning));
   if (!stack.spacing)
-    stack.spacing = (*reader)->spacing;
+    stack.spacing = reader->spacing;
   return {};
 }
 
@@ -111,12 +103,11 @@ Expected<Stack> readStack(const std::vector<std::string> &paths, const InputOpti
   Stack stack;
   ScratchCells cells(options.memory);
   for (const std::string &path : paths) {
-    if (options.progress.stopped())
-      return Error::interrupted();
+    VOXC_TRY(options.progress.check());
     VOXC_TRY(appendFile(path, options, stack, cells));
   }
   if (stack.extent.z == 0)
-    return Error::input("'" + paths.front() + "' is not a usable slice: it has no picture");
+    return notUsable(Error::input("it has no picture"), paths.front(), kKind);
   stack.cells = std::make_shared<const ScratchCells>(std::move(cells));
   return stack;
 }
@@ -140,16 +131,9 @@ Expected<Input> openWords(const Stack &stack, const InputOptions &options) {
   if (options.describe)
     input.facts = {{"pixels", "colours", {}}, sizeFact("size", stack.extent)};
   input.provenance = "coverage=cells" + upProvenance(options);
-  Int3 extent = stack.extent;
-  std::shared_ptr<const DenseRows> rows = std::make_shared<WordRows>(extent, stack.cells);
-  Transform voxelToModel;
-  if (options.zUp) {
-    rows = turnUpright(std::move(rows), extent.y);
-    voxelToModel = turnUpright(voxelToModel, extent.y);
-    extent = {extent.x, extent.z, extent.y};
-  }
   input.source =
-      VOXC_TRY(makeDenseSource(extent, std::move(rows), voxelToModel, options.memory, options.progress));
+      VOXC_TRY(makeUprightSource(stack.extent, std::make_shared<WordRows>(stack.extent, stack.cells), {},
+                                 options.zUp, options.memory, options.progress));
   return input;
 }
 
