@@ -1,5 +1,5 @@
 // PNG through libpng.
-#include "Mesh/Image/ImageKinds.h"
+#include "Image/ImageKinds.h"
 
 #include <png.h>
 
