@@ -36,22 +36,28 @@ void readBytes(png_structp png, png_bytep target, std::size_t count) {
 
 void ignore(png_structp, png_const_charp) {}
 
-/// The header of a picture: false if it is broken.
+/// The header of a picture: false if it is broken. Of chunks beside the picture's own only these are read:
+/// texts may be compressed, and take gigabytes.
 bool readInfo(png_structp png, png_infop info) {
+  constexpr png_byte kRead[] = "gAMA\0iCCP\0pHYs\0sRGB";
   if (setjmp(png_jmpbuf(png)))
     return false;
+  png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
+  png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_AS_DEFAULT, kRead, sizeof kRead / 5);
   png_read_info(png, info);
   return true;
 }
 
 /// What is done with pixels while they are read.
-void setTransforms(png_structp png, const PngHeader &header) {
+void setTransforms(png_structp png, const PngHeader &header, PngForm form) {
   png_set_expand(png);
   if (header.isGrey) {
     if (header.isWide && std::endian::native == std::endian::little)
       png_set_swap(png);
     return;
   }
+  if (form == PngForm::Texels)
+    png_set_alpha_mode(png, PNG_ALPHA_PNG, PNG_DEFAULT_sRGB);
   if (header.isWide)
     png_set_scale_16(png);
   if (!header.hasColour)
@@ -60,10 +66,10 @@ void setTransforms(png_structp png, const PngHeader &header) {
 }
 
 /// Rows of pixels: false if they are broken.
-bool readRows(png_structp png, png_infop info, const PngHeader &header, std::byte *target) {
+bool readRows(png_structp png, png_infop info, const PngHeader &header, PngForm form, std::byte *target) {
   if (setjmp(png_jmpbuf(png)))
     return false;
-  setTransforms(png, header);
+  setTransforms(png, header, form);
   const int passes = png_set_interlace_handling(png);
   png_read_update_info(png, info);
   const std::size_t row = header.rowBytes();
@@ -97,14 +103,14 @@ void findEnd(std::span<const std::byte> bytes, PngHeader &header) {
   }
 }
 
-PngHeader headerOf(png_structp png, png_infop info) {
+PngHeader headerOf(png_structp png, png_infop info, PngForm form) {
   PngHeader header;
   header.width = png_get_image_width(png, info);
   header.height = png_get_image_height(png, info);
   const int kind = png_get_color_type(png, info);
   header.hasColour = (kind & PNG_COLOR_MASK_COLOR) != 0;
   header.hasAlpha = (kind & PNG_COLOR_MASK_ALPHA) != 0 || png_get_valid(png, info, PNG_INFO_tRNS) != 0;
-  header.isGrey = !header.hasColour && !header.hasAlpha;
+  header.isGrey = form == PngForm::Samples && !header.hasColour && !header.hasAlpha;
   header.isWide = png_get_bit_depth(png, info) == 16;
   png_uint_32 x = 0, y = 0;
   int unit = 0;
@@ -115,7 +121,7 @@ PngHeader headerOf(png_structp png, png_infop info) {
 
 class LibpngReader final : public PngReader {
 public:
-  explicit LibpngReader(std::span<const std::byte> bytes) : source_{bytes} {
+  LibpngReader(std::span<const std::byte> bytes, PngForm form) : source_{bytes}, form_(form) {
     png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &source_, fail, ignore);
     info_ = png_ ? png_create_info_struct(png_) : nullptr;
   }
@@ -136,27 +142,30 @@ public:
     png_set_crc_action(png_, PNG_CRC_ERROR_QUIT, PNG_CRC_WARN_DISCARD);
     if (!readInfo(png_, info_))
       return Error::input(std::string("it is no PNG picture, or a broken one: ") + source_.problem.data());
-    header_ = headerOf(png_, info_);
+    header_ = headerOf(png_, info_, form_);
     findEnd(all, header_);
     return {};
   }
 
   Expected<void> decode(std::span<std::byte> target) override {
-    if (!readRows(png_, info_, header_, target.data()))
-      return Error::input(std::string("it is broken: ") + source_.problem.data());
+    if (target.size() != header_.rowBytes() * header_.height)
+      return Error::input("it has two sizes");
+    if (!readRows(png_, info_, header_, form_, target.data()))
+      return Error::input(source_.problem.data());
     return {};
   }
 
 private:
   Source source_;
+  PngForm form_;
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
 };
 
 } // namespace
 
-Expected<std::unique_ptr<PngReader>> openPng(std::span<const std::byte> bytes) {
-  auto reader = std::make_unique<LibpngReader>(bytes);
+Expected<std::unique_ptr<PngReader>> openPng(std::span<const std::byte> bytes, PngForm form) {
+  auto reader = std::make_unique<LibpngReader>(bytes, form);
   if (auto opened = reader->open(); !opened)
     return opened.error();
   return std::unique_ptr<PngReader>(std::move(reader));

@@ -1,11 +1,17 @@
 // Pictures encoded, and what readers find in them.
 #include "voxc/Image/Encode.h"
+
 #include "Image/ImageDecoder.h"
 #include "Image/PngReader.h"
+#include "ResidentMemory.h"
 
 #include <gmock/gmock.h>
+#include <zlib.h>
 
+#include <array>
 #include <cstring>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace voxc {
@@ -47,7 +53,7 @@ TEST(Encode, PngIsReadAsASlice) {
   std::vector<std::uint32_t> words = gradient();
   const auto bytes = encodePng(words, kWidth, kHeight);
   ASSERT_TRUE(bytes) << bytes.error().message;
-  const auto reader = openPng(bytesOf(*bytes));
+  const auto reader = openPng(bytesOf(*bytes), PngForm::Samples);
   ASSERT_TRUE(reader) << reader.error().message;
   const PngHeader &header = (*reader)->header();
   EXPECT_TRUE(header.hasColour && header.hasAlpha && !header.isGrey && !header.isWide);
@@ -56,6 +62,40 @@ TEST(Encode, PngIsReadAsASlice) {
   std::vector<std::uint32_t> read(words.size());
   ASSERT_TRUE((*reader)->decode(std::as_writable_bytes(std::span(read))));
   EXPECT_EQ(read, words);
+}
+
+/// A chunk of a PNG with a long text, compressed.
+std::string textChunk(std::size_t length) {
+  const std::string text(length, 'a');
+  uLongf size = compressBound(text.size());
+  std::string packed(size, '\0');
+  compress(reinterpret_cast<Bytef *>(packed.data()), &size, reinterpret_cast<const Bytef *>(text.data()),
+           text.size());
+  const std::string body = std::string("zTXta\0\0", 7) + packed.substr(0, size);
+  const auto number = [](unsigned long value) {
+    std::string digits;
+    for (int shift = 24; shift >= 0; shift -= 8)
+      digits += static_cast<char>(value >> shift & 255);
+    return digits;
+  };
+  return number(body.size() - 4) + body +
+         number(crc32(0, reinterpret_cast<const Bytef *>(body.data()), static_cast<uInt>(body.size())));
+}
+
+TEST(Encode, TextsOfAPngAreNotRead) {
+  const std::vector<std::uint32_t> words = gradient();
+  const auto bytes = encodePng(words, kWidth, kHeight);
+  ASSERT_TRUE(bytes) << bytes.error().message;
+  constexpr std::size_t kBehindHeader = 33;
+  const std::string text = textChunk(7'000'000);
+  std::string full = *bytes;
+  for (int i = 0; i < 24; ++i)
+    full.insert(kBehindHeader, text);
+  const std::uint64_t before = test::residentBytes();
+  const auto reader = openPng(bytesOf(full), PngForm::Samples);
+  ASSERT_TRUE(reader) << reader.error().message;
+  EXPECT_LT(test::residentBytes(), before + (std::uint64_t{64} << 20));
+  EXPECT_EQ(decoded(full), words);
 }
 
 TEST(Encode, JpegHasThemNearly) {

@@ -36,7 +36,7 @@ public:
 
   Expected<void> decode(std::span<std::byte> target) override {
     if (auto decoded = reader_->decode(target); !decoded)
-      return decoded;
+      return Error::input("it is broken: " + decoded.error().message);
     if (!reader_->header().isGrey && !reader_->header().hasAlpha)
       clearBlack(target);
     return {};
@@ -84,7 +84,7 @@ void clearBlack(std::span<std::byte> cells) {
 }
 
 Expected<std::unique_ptr<SliceReader>> openPngSlice(std::span<const std::byte> bytes) {
-  auto reader = openPng(bytes);
+  auto reader = openPng(bytes, PngForm::Samples);
   if (!reader)
     return reader.error();
   const PngHeader &header = (*reader)->header();
