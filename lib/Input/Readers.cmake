@@ -63,4 +63,4 @@ set(VOXC_INPUT_READERS
   Vtk/VtiFile.cpp
   Vtk/VtkData.cpp
   Vtk/VtkImage.cpp)
-set(VOXC_INPUT_READER_LIBRARIES z bz2 expat png tiff blosc)
+set(VOXC_INPUT_READER_LIBRARIES z bz2 expat tiff blosc)

@@ -19,12 +19,6 @@ set(VOXC_MESH_READERS
   Gltf/GltfTransforms.cpp
   Gltf/GltfUris.cpp
   Gltf/Json.cpp
-  Image/ImageDecoder.cpp
-  Image/Jpeg.cpp
-  Image/OtherImage.cpp
-  Image/Png.cpp
-  Image/TextureSet.cpp
-  Image/WebP.cpp
   Obj/MaterialLibrary.cpp
   Obj/ObjGeometry.cpp
   Obj/ObjMaterials.cpp
@@ -45,8 +39,8 @@ set(VOXC_MESH_READERS
   Stl/StlColours.cpp
   Stl/StlReader.cpp
   Stl/StlText.cpp
+  TextureSet.cpp
   TriangleScene.cpp
   UnusedVertices.cpp)
-# What they are built on, beside stb_image, a header.
-set(VOXC_MESH_READER_LIBRARIES $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> png turbojpeg draco meshoptimizer
-                                webp)
+# What they are built on, beside lib/Image.
+set(VOXC_MESH_READER_LIBRARIES $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> draco meshoptimizer)

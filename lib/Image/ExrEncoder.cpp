@@ -1,12 +1,15 @@
 // Pictures of light as OpenEXR, in the plainest form that the format has ("OpenEXR File Layout", version 2).
-#include "Exr.h"
+#include "voxc/Image/Encode.h"
+
+#include "Support/Srgb.h"
 
 #include <bit>
-#include <cstdint>
 #include <initializer_list>
 #include <string_view>
+#include <vector>
 
-namespace voxc::tool {
+namespace voxc {
+
 namespace {
 
 void addWord(std::string &out, std::uint32_t word) {
@@ -93,4 +96,13 @@ std::string encodeExr(std::span<const float> light, int width, int height) {
   return out;
 }
 
-} // namespace voxc::tool
+std::string encodeExr(std::span<const std::uint32_t> words, int width, int height) {
+  std::vector<float> light;
+  light.reserve(4 * words.size());
+  const auto linear = [](std::uint32_t channel) { return float(kLinearLight[channel & 255]); };
+  for (const std::uint32_t word : words)
+    light.insert(light.end(), {linear(word), linear(word >> 8), linear(word >> 16), 1.0f});
+  return encodeExr(light, width, height);
+}
+
+} // namespace voxc

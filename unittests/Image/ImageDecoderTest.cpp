@@ -1,9 +1,12 @@
 // Images of every kind, and such that are none.
-#include "Mesh/Image/ImageDecoder.h"
-
-#include "LoadTesting.h"
+#include "Image/ImageDecoder.h"
 
 #include <gmock/gmock.h>
+
+#include <array>
+#include <fstream>
+#include <string>
+#include <vector>
 
 namespace voxc {
 namespace {
@@ -16,17 +19,21 @@ std::string contentOf(const std::string &path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+std::vector<std::uint32_t> texelsOf(const DecodedImage &image) {
+  return {image.texels.span().begin(), image.texels.span().end()};
+}
+
 class Images : public testing::Test {
 protected:
-  Expected<Texture> decode(const std::string &bytes) {
+  Expected<DecodedImage> decode(const std::string &bytes) {
     return decoder_.decode({reinterpret_cast<const std::byte *>(bytes.data()), bytes.size()});
   }
-  Expected<Texture> decodeFile(const std::string &name) {
+  Expected<DecodedImage> decodeFile(const std::string &name) {
     return decode(contentOf(VOXC_UNITTESTS_DIR "/Mesh/Corpus/image/" + name));
   }
   std::string problem(const std::string &name) {
-    const auto texture = decodeFile(name);
-    return texture ? "no error" : texture.error().message;
+    const auto image = decodeFile(name);
+    return image ? "no error" : image.error().message;
   }
 
   ImageDecoder decoder_{WorkingMemory::create(std::uint64_t{64} << 20)};
@@ -34,23 +41,22 @@ protected:
 
 TEST_F(Images, EveryKind) {
   for (const char *name : {"a.png", "a.bmp", "a.tga"}) {
-    const auto texture = decodeFile(name);
-    ASSERT_TRUE(texture) << name << ": " << texture.error().message;
-    EXPECT_EQ(texture->width, 2) << name;
-    EXPECT_EQ(texelsOf(*texture),
-              (std::vector<std::uint32_t>{0xff0000ff, 0xff00ff00, 0xffff0000, 0xffffffff}))
+    const auto image = decodeFile(name);
+    ASSERT_TRUE(image) << name << ": " << image.error().message;
+    EXPECT_EQ(image->width, 2) << name;
+    EXPECT_EQ(texelsOf(*image), (std::vector<std::uint32_t>{0xff0000ff, 0xff00ff00, 0xffff0000, 0xffffffff}))
         << name;
   }
 }
 
 TEST_F(Images, JpegOfBothKinds) {
   for (const char *name : {"a.jpg", "progressive.jpg"}) {
-    const auto texture = decodeFile(name);
-    ASSERT_TRUE(texture) << name << ": " << texture.error().message;
-    EXPECT_EQ(texture->width, 17);
-    EXPECT_EQ(texture->height, 9);
+    const auto image = decodeFile(name);
+    ASSERT_TRUE(image) << name << ": " << image.error().message;
+    EXPECT_EQ(image->width, 17);
+    EXPECT_EQ(image->height, 9);
     // One colour, 200 100 50, but for what JPEG loses.
-    for (const std::uint32_t texel : texelsOf(*texture)) {
+    for (const std::uint32_t texel : texelsOf(*image)) {
       EXPECT_NEAR(texel & 255, 200, 6) << name;
       EXPECT_NEAR(texel >> 8 & 255, 100, 6) << name;
       EXPECT_NEAR(texel >> 16 & 255, 50, 6) << name;
@@ -63,9 +69,9 @@ TEST_F(Images, JpegOfBothKinds) {
 TEST_F(Images, JpegsOfInks) {
   // Cyan, magenta, yellow and black as Adobe's programs store them, the same in YCCK, and as others do.
   for (const char *name : {"adobe-cmyk.jpg", "adobe-ycck.jpg", "plain-cmyk.jpg"}) {
-    const auto texture = decodeFile(name);
-    ASSERT_TRUE(texture) << name << ": " << texture.error().message;
-    const std::vector<std::uint32_t> texels = texelsOf(*texture);
+    const auto image = decodeFile(name);
+    ASSERT_TRUE(image) << name << ": " << image.error().message;
+    const std::vector<std::uint32_t> texels = texelsOf(*image);
     ASSERT_EQ(texels.size(), 256u);
     // Red, green, blue, and a yellow that black makes half as bright.
     const std::array<std::uint32_t, 4> expected{0xff0000ff, 0xff00ff00, 0xffff0000, 0xff008080};
@@ -77,12 +83,12 @@ TEST_F(Images, JpegsOfInks) {
 
 TEST_F(Images, SixteenBitsAndPalettes) {
   // Colours are taken as they are: no gamma.
-  auto texture = decodeFile("gray16.png");
-  ASSERT_TRUE(texture) << texture.error().message;
-  EXPECT_EQ(texelsOf(*texture), (std::vector<std::uint32_t>{0xff808080, 0xff101010}));
-  texture = decodeFile("palette.png");
-  ASSERT_TRUE(texture) << texture.error().message;
-  EXPECT_EQ(texelsOf(*texture), (std::vector<std::uint32_t>{0xff00ff00, 0x800000ff}));
+  auto image = decodeFile("gray16.png");
+  ASSERT_TRUE(image) << image.error().message;
+  EXPECT_EQ(texelsOf(*image), (std::vector<std::uint32_t>{0xff808080, 0xff101010}));
+  image = decodeFile("palette.png");
+  ASSERT_TRUE(image) << image.error().message;
+  EXPECT_EQ(texelsOf(*image), (std::vector<std::uint32_t>{0xff00ff00, 0x800000ff}));
 }
 
 TEST_F(Images, BrokenOnesSayWhy) {
@@ -101,9 +107,9 @@ TEST_F(Images, JpegsWithTooManyScans) {
   std::string bytes = contentOf(VOXC_UNITTESTS_DIR "/Mesh/Corpus/image/a.jpg");
   for (int i = 0; i < 101; ++i)
     bytes += "\xff\xda";
-  const auto texture = decode(bytes);
-  ASSERT_FALSE(texture);
-  EXPECT_THAT(texture.error().message, HasSubstr("more than 100 scans"));
+  const auto image = decode(bytes);
+  ASSERT_FALSE(image);
+  EXPECT_THAT(image.error().message, HasSubstr("more than 100 scans"));
 }
 
 } // namespace

@@ -42,4 +42,8 @@ inline bool startsWith(std::span<const std::byte> bytes, std::string_view sign) 
   return std::string_view(reinterpret_cast<const char *>(bytes.data()), bytes.size()).starts_with(sign);
 }
 
+inline const unsigned char *dataOf(std::span<const std::byte> bytes) {
+  return reinterpret_cast<const unsigned char *>(bytes.data());
+}
+
 } // namespace voxc

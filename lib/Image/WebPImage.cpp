@@ -1,15 +1,11 @@
 // WebP through libwebp.
-#include "Mesh/Image/ImageKinds.h"
+#include "Image/ImageKinds.h"
 
 #include <webp/decode.h>
 
 namespace voxc {
 
 namespace {
-
-const std::uint8_t *dataOf(std::span<const std::byte> bytes) {
-  return reinterpret_cast<const std::uint8_t *>(bytes.data());
-}
 
 bool isWebP(std::span<const std::byte> bytes) {
   return bytes.size() >= 12 && startsWith(bytes, "RIFF") && startsWith(bytes.subspan(8), "WEBP");

@@ -1,5 +1,5 @@
 // BMP and TGA through stb_image, whose code is compiled into this file alone.
-#include "Mesh/Image/ImageKinds.h"
+#include "Image/ImageKinds.h"
 
 #include <cstdlib>
 #include <cstring>
@@ -65,10 +65,6 @@ namespace {
 
 constexpr std::uint64_t kLibraryBytesATexel = 12;
 constexpr std::uint64_t kLibraryBytes = std::uint64_t{1} << 20; ///< For tables.
-
-const stbi_uc *dataOf(std::span<const std::byte> bytes) {
-  return reinterpret_cast<const stbi_uc *>(bytes.data());
-}
 
 std::optional<ImageSize> readOtherSize(std::span<const std::byte> bytes) {
   library = {0, kLibraryBytes};

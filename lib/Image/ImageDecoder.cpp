@@ -1,7 +1,7 @@
 // The limits that hold for images of every kind.
-#include "Mesh/Image/ImageDecoder.h"
+#include "Image/ImageDecoder.h"
 
-#include "Mesh/Image/ImageKinds.h"
+#include "Image/ImageKinds.h"
 
 #include <algorithm>
 #include <array>
@@ -40,7 +40,7 @@ std::string checkSize(ImageSize size, const ImageKind &kind, std::size_t bytes) 
 
 } // namespace
 
-Expected<Texture> ImageDecoder::decode(std::span<const std::byte> bytes) {
+Expected<DecodedImage> ImageDecoder::decode(std::span<const std::byte> bytes) {
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
     return Error::input("the image takes more than 2 GiB");
   const ImageKind &kind = kindOf(bytes);
@@ -58,8 +58,7 @@ Expected<Texture> ImageDecoder::decode(std::span<const std::byte> bytes) {
     return Error::input("the image is broken: " + wrong);
   texelsLeft_ -= size->texels();
   libraryPeak_ = std::max(libraryPeak_, texels.size() * kind.libraryBytesATexel);
-  return Texture{size->width, size->height,
-                 std::make_shared<const ScratchArray<std::uint32_t>>(std::move(texels))};
+  return DecodedImage{size->width, size->height, std::move(texels)};
 }
 
 } // namespace voxc

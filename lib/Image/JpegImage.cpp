@@ -1,5 +1,5 @@
 // JPEG through libjpeg-turbo.
-#include "Mesh/Image/ImageKinds.h"
+#include "Image/ImageKinds.h"
 
 #include <turbojpeg.h>
 
@@ -19,21 +19,9 @@ int countScans(std::span<const std::byte> bytes) {
   return scans;
 }
 
-const unsigned char *dataOf(std::span<const std::byte> bytes) {
-  return reinterpret_cast<const unsigned char *>(bytes.data());
-}
+using Decompressor = std::unique_ptr<void, int (*)(tjhandle)>;
 
-struct Decompressor {
-  Decompressor() : handle(tjInitDecompress()) {}
-  ~Decompressor() {
-    if (handle)
-      tjDestroy(handle);
-  }
-  Decompressor(const Decompressor &) = delete;
-  Decompressor &operator=(const Decompressor &) = delete;
-
-  tjhandle handle;
-};
+Decompressor makeDecompressor() { return {tjInitDecompress(), tjDestroy}; }
 
 struct Header {
   ImageSize size;
@@ -41,11 +29,11 @@ struct Header {
 };
 
 std::optional<Header> readHeader(std::span<const std::byte> bytes) {
-  const Decompressor jpeg;
+  const Decompressor jpeg = makeDecompressor();
   Header header;
   int subsampling = 0;
-  if (!jpeg.handle || tjDecompressHeader3(jpeg.handle, dataOf(bytes), bytes.size(), &header.size.width,
-                                          &header.size.height, &subsampling, &header.colours) != 0)
+  if (!jpeg || tjDecompressHeader3(jpeg.get(), dataOf(bytes), bytes.size(), &header.size.width,
+                                   &header.size.height, &subsampling, &header.colours) != 0)
     return std::nullopt;
   return header;
 }
@@ -88,17 +76,17 @@ void convertInks(std::span<std::uint32_t> texels, bool areInverted) {
 std::string decodeJpeg(std::span<const std::byte> bytes, ImageSize size, std::uint32_t *texels) {
   if (countScans(bytes) > kMostScans)
     return "it has more than 100 scans";
-  const Decompressor jpeg;
-  if (!jpeg.handle)
+  const Decompressor jpeg = makeDecompressor();
+  if (!jpeg)
     return "there is no memory for it";
   const auto header = readHeader(bytes);
   const bool areInks = header && (header->colours == TJCS_CMYK || header->colours == TJCS_YCCK);
   const int result =
-      tjDecompress2(jpeg.handle, dataOf(bytes), bytes.size(), reinterpret_cast<unsigned char *>(texels),
+      tjDecompress2(jpeg.get(), dataOf(bytes), bytes.size(), reinterpret_cast<unsigned char *>(texels),
                     size.width, 0, size.height, areInks ? TJPF_CMYK : TJPF_RGBA, TJFLAG_LIMITSCANS);
   // What is cut short is a warning, and shown as far as it goes.
-  if (result != 0 && tjGetErrorCode(jpeg.handle) == TJERR_FATAL)
-    return tjGetErrorStr2(jpeg.handle);
+  if (result != 0 && tjGetErrorCode(jpeg.get()) == TJERR_FATAL)
+    return tjGetErrorStr2(jpeg.get());
   if (areInks)
     convertInks({texels, static_cast<std::size_t>(size.texels())}, hasAdobeSegment(bytes));
   return {};

@@ -1,8 +1,9 @@
 // The textures of a model, each image decoded once.
 #pragma once
 
-#include "Mesh/Image/ImageDecoder.h"
+#include "Image/ImageDecoder.h"
 #include "Support/Warnings.h"
+#include "voxc/Mesh/TriangleScene.h"
 
 #include <functional>
 #include <map>
@@ -28,6 +29,8 @@ public:
   std::uint64_t libraryPeakBytes() const { return decoder_.libraryPeakBytes(); }
 
 private:
+  Expected<Texture> decode(std::span<const std::byte> bytes);
+
   std::shared_ptr<WorkingMemory> memory_;
   ImageDecoder decoder_;
   TriangleScene &scene_;

@@ -1,5 +1,5 @@
 // PNG by libpng.
-#include "Source/Export/PngEncoder.h"
+#include "voxc/Image/Encode.h"
 
 #include <png.h>
 
@@ -7,8 +7,7 @@
 
 namespace voxc {
 
-Expected<std::string> encodePng(std::span<const std::uint32_t> words, std::int32_t width,
-                                std::int32_t height) {
+Expected<std::string> encodePng(std::span<const std::uint32_t> words, int width, int height) {
   png_image image;
   std::memset(&image, 0, sizeof image);
   image.version = PNG_IMAGE_VERSION;
