@@ -85,8 +85,8 @@ void AccuracyCommand::declareChoice(const CommandLine &command) {
   command.addFormer("--walks", "--traversals");
   command
       .add("--lods", lods_,
-           "Sizes in pixels at which to stop early, as --lod of voxc render does, with the "
-           "first of the others")
+           "Sizes in pixels at which to stop early, as --lod of voxc render does, with the first of the "
+           "others")
       .list()
       .takes("A,B")
       .between(0.0, 1e6)
@@ -132,19 +132,15 @@ Expected<void> AccuracyCommand::checkUsage() const {
 Expected<Rays> AccuracyCommand::loadRays(const VolumeInfo &volume) const {
   Rays rays;
   if (!raysPath_.empty()) {
-    Expected<std::vector<Ray>> read = readRays(raysPath_);
-    if (!read)
-      return read.error();
-    if (read->empty())
+    auto read = VOXC_TRY(readRays(raysPath_));
+    if (read.empty())
       return Error::input("ray file '" + raysPath_ + "' is empty; it should hold one ray at least");
-    rays.rays = std::move(*read);
+    rays.rays = std::move(read);
     return rays;
   }
-  Expected<Camera> camera = makeCamera(camera_, volume.extent, volume.voxelToModel);
-  if (!camera)
-    return camera.error();
-  rays.camera = *camera;
-  rays.rays = cameraRays(*camera);
+  auto camera = VOXC_TRY(makeCamera(camera_, volume.extent, volume.voxelToModel));
+  rays.camera = camera;
+  rays.rays = cameraRays(camera);
   return rays;
 }
 
@@ -154,10 +150,8 @@ AccuracyCommand::prepareAll(const std::vector<Variant> &variants, const Volume &
   std::vector<std::unique_ptr<VariantCandidate>> candidates;
   for (const Variant &variant : variants) {
     const auto spread = static_cast<float>(variant.lod > 0 ? variant.lod * pixelSpread(camera) : 0);
-    auto candidate = prepare(variant, volume, devices_, choice_.threads, spread);
-    if (!candidate)
-      return candidate.error();
-    candidates.push_back(std::move(*candidate));
+    auto candidate = VOXC_TRY(prepare(variant, volume, devices_, choice_.threads, spread));
+    candidates.push_back(std::move(candidate));
   }
   return candidates;
 }
@@ -167,20 +161,17 @@ Expected<std::vector<LodFinding>> AccuracyCommand::findLods(const Variant &varia
   std::vector<Variant> variants{variant};
   for (const double pixels : lods_)
     variants.push_back(withLod(variant, pixels));
-  auto candidates = prepareAll(variants, volume, rays.camera);
-  if (!candidates)
-    return candidates.error();
-  if (Expected<void> traced = traceInTurn(*candidates, rays.rays, rounds_, progress); !traced)
-    return traced.error();
+  auto candidates = VOXC_TRY(prepareAll(variants, volume, rays.camera));
+  VOXC_TRY(traceInTurn(candidates, rays.rays, rounds_, progress));
 
   const auto pictureOf = [&](const VariantCandidate &candidate) {
     return shade(rays.rays, candidate.subject.hits(), rays.camera.width, rays.camera.height);
   };
-  const VariantCandidate &full = *candidates->front();
+  const VariantCandidate &full = *candidates.front();
   const Picture reference = pictureOf(full);
   std::vector<LodFinding> findings;
-  for (std::size_t i = 1; i < candidates->size(); ++i) {
-    const VariantCandidate &coarse = *(*candidates)[i];
+  for (std::size_t i = 1; i < candidates.size(); ++i) {
+    const VariantCandidate &coarse = *candidates[i];
     findings.push_back({coarse.variant.lod, mraysPerCpuSecond(coarse),
                         measure::median(full.times.cpuSeconds) / measure::median(coarse.times.cpuSeconds),
                         measure::areEqual(full.times.cpuSeconds, coarse.times.cpuSeconds),
@@ -194,26 +185,16 @@ Expected<Findings> AccuracyCommand::compete(const Volume &volume, const Rays &ra
   Findings findings;
   findings.rounds = rounds_;
   const std::vector<Variant> variants = makeVariants(volume.format(), choice_);
-  auto candidates = prepareAll(variants, volume, rays.camera);
-  if (!candidates)
-    return candidates.error();
-  if (Expected<void> traced = traceInTurn(*candidates, rays.rays, rounds_, progress); !traced)
-    return traced.error();
-  const Expected<Oracle> oracle = Oracle::of(volume, progress);
-  if (!oracle)
-    return oracle.error();
-  check(*candidates, *oracle, rays.rays, check_);
-  findings.candidates = std::move(*candidates);
+  auto candidates = VOXC_TRY(prepareAll(variants, volume, rays.camera));
+  VOXC_TRY(traceInTurn(candidates, rays.rays, rounds_, progress));
+  const auto oracle = VOXC_TRY(Oracle::of(volume, progress));
+  check(candidates, oracle, rays.rays, check_);
+  findings.candidates = std::move(candidates);
 
-  if (!lods_.empty()) {
-    auto lods = findLods(variants.front(), volume, rays, progress);
-    if (!lods)
-      return lods.error();
-    findings.lods = std::move(*lods);
-  }
+  if (!lods_.empty())
+    findings.lods = VOXC_TRY(findLods(variants.front(), volume, rays, progress));
   if (series_)
-    if (Expected<void> found = findSeries(variants, volume, *oracle, progress, findings); !found)
-      return found.error();
+    VOXC_TRY(findSeries(variants, volume, oracle, progress, findings));
   return findings;
 }
 
@@ -221,17 +202,11 @@ Expected<void> AccuracyCommand::findSeries(const std::vector<Variant> &variants,
                                            const Oracle &oracle, const Progress &progress,
                                            Findings &findings) {
   const SeriesOptions options{seriesRays_, rounds_, choice_.threads, progress};
-  const auto candidates = prepareAll(variants, volume, {});
-  if (!candidates)
-    return candidates.error();
-  auto distances = distanceSeries(*candidates, oracle, volume.info().extent, options);
-  if (!distances)
-    return distances.error();
-  auto resolutions = resolutionSeries(choice_, devices_, options);
-  if (!resolutions)
-    return resolutions.error();
-  findings.distances = std::move(*distances);
-  findings.resolutions = std::move(*resolutions);
+  const auto candidates = VOXC_TRY(prepareAll(variants, volume, {}));
+  auto distances = VOXC_TRY(distanceSeries(candidates, oracle, volume.info().extent, options));
+  auto resolutions = VOXC_TRY(resolutionSeries(choice_, devices_, options));
+  findings.distances = std::move(distances);
+  findings.resolutions = std::move(resolutions);
   return {};
 }
 
@@ -252,29 +227,21 @@ Expected<void> AccuracyCommand::tell(const Volume &volume, const Findings &findi
   addFindings(figures, findings);
   if (!folder_.empty()) {
     const std::string path = (std::filesystem::path(folder_) / "accuracy.json").string();
-    if (Expected<void> written = writeStatistics(path, figures); !written)
-      return written;
+    VOXC_TRY(writeStatistics(path, figures));
     drawPlots();
   }
   return writeStatistics(common_.stats, figures);
 }
 
 Expected<void> AccuracyCommand::run() {
-  if (Expected<void> usable = checkUsage(); !usable)
-    return usable;
+  VOXC_TRY(checkUsage());
   limitDeviceThreads(choice_.threads);
   ProgressBar bar(common_.quiet);
-  Expected<Volume> volume = volume_.load();
-  if (!volume)
-    return volume.error();
-  Expected<Rays> rays = loadRays(volume->info());
-  if (!rays)
-    return rays.error();
-  Expected<Findings> findings = compete(*volume, *rays, bar.progress());
-  if (!findings)
-    return findings.error();
+  auto volume = VOXC_TRY(volume_.load());
+  auto rays = VOXC_TRY(loadRays(volume.info()));
+  auto findings = VOXC_TRY(compete(volume, rays, bar.progress()));
   bar.clear();
-  return tell(*volume, *findings);
+  return tell(volume, findings);
 }
 
 } // namespace

@@ -34,11 +34,10 @@ void printVariants(const Findings &findings) {
                 100 * measure::spread(candidate.times.cpuSeconds),
                 ratioTo(*findings.candidates[0], candidate), equal ? " =" : "");
   }
-  std::printf("errors on %" PRIu64
-              " of %zu rays; speeds are medians of %u rounds in turn; = as fast as the first within "
-              "the spread\n",
-              findings.candidates[0]->error.rays, findings.candidates[0]->subject.hits().size(),
-              findings.rounds);
+  std::printf(
+      "errors on %" PRIu64
+      " of %zu rays; speeds are medians of %u rounds in turn; = as fast as the first within the spread\n",
+      findings.candidates[0]->error.rays, findings.candidates[0]->subject.hits().size(), findings.rounds);
 }
 
 void printLods(const std::vector<LodFinding> &lods) {

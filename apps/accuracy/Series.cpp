@@ -68,8 +68,7 @@ Ray aimedRay(Random &random, const Point &centre, double radius, const Point &ta
 Expected<SeriesPoint> measure(double at, std::span<const std::unique_ptr<VariantCandidate>> candidates,
                               const Oracle &oracle, const std::vector<Ray> &rays,
                               const SeriesOptions &options) {
-  if (Expected<void> traced = traceInTurn(candidates, rays, options.rounds, options.progress); !traced)
-    return traced.error();
+  VOXC_TRY(traceInTurn(candidates, rays, options.rounds, options.progress));
   check(candidates, oracle, rays, rays.size());
   SeriesPoint point{at, {}};
   for (const auto &candidate : candidates)
@@ -117,23 +116,15 @@ Expected<SeriesPoint> measureResolution(int log2Side, const VariantChoice &choic
   std::vector<Int3> cells;
   const int side = 1 << log2Side;
   const auto source = makeSortedSource({side, side, side}, strewnVoxels(log2Side, cells));
-  const Expected<Constructor> constructor = Constructor::compile(format);
-  if (!constructor)
-    return constructor.error();
-  const Expected<Built> built = constructor->build(*source);
-  if (!built)
-    return built.error();
-  const Expected<Oracle> oracle = Oracle::of(built->volume);
-  if (!oracle)
-    return oracle.error();
+  const auto constructor = VOXC_TRY(Constructor::compile(format));
+  const auto built = VOXC_TRY(constructor.build(*source));
+  const auto oracle = VOXC_TRY(Oracle::of(built.volume));
   std::vector<std::unique_ptr<VariantCandidate>> candidates;
   for (const Variant &variant : makeVariants(format, choice)) {
-    auto candidate = prepare(variant, built->volume, devices, options.threads);
-    if (!candidate)
-      return candidate.error();
-    candidates.push_back(std::move(*candidate));
+    auto candidate = VOXC_TRY(prepare(variant, built.volume, devices, options.threads));
+    candidates.push_back(std::move(candidate));
   }
-  return measure(side, candidates, *oracle, raysToVoxels(log2Side, cells, options.rays), options);
+  return measure(side, candidates, oracle, raysToVoxels(log2Side, cells, options.rays), options);
 }
 
 } // namespace
@@ -152,10 +143,8 @@ distanceSeries(std::span<const std::unique_ptr<VariantCandidate>> candidates, co
     rays.reserve(options.rays);
     for (std::size_t i = 0; i < options.rays; ++i)
       rays.push_back(aimedRay(random, centre, radius + distance, random.pointIn({}, size)));
-    Expected<SeriesPoint> point = measure(distance, candidates, oracle, rays, options);
-    if (!point)
-      return point.error();
-    series.push_back(std::move(*point));
+    auto point = VOXC_TRY(measure(distance, candidates, oracle, rays, options));
+    series.push_back(std::move(point));
   }
   return series;
 }
@@ -164,10 +153,8 @@ Expected<std::vector<SeriesPoint>> resolutionSeries(const VariantChoice &choice,
                                                     const SeriesOptions &options) {
   std::vector<SeriesPoint> series;
   for (int log2Side = kLog2Least; log2Side <= kLog2Most; ++log2Side) {
-    Expected<SeriesPoint> point = measureResolution(log2Side, choice, devices, options);
-    if (!point)
-      return point.error();
-    series.push_back(std::move(*point));
+    auto point = VOXC_TRY(measureResolution(log2Side, choice, devices, options));
+    series.push_back(std::move(point));
   }
   return series;
 }

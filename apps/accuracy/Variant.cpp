@@ -62,14 +62,10 @@ Variant withLod(const Variant &variant, double pixels) {
 Expected<std::unique_ptr<VariantCandidate>> prepare(const Variant &variant, const Volume &volume,
                                                     measure::Devices &devices, unsigned threads,
                                                     float spread) {
-  const auto device = devices.open(variant.device);
-  if (!device)
-    return device.error();
-  auto subject = measure::Subject::open(volume, variant.format,
-                                        {.device = *device, .threads = threads, .spread = spread});
-  if (!subject)
-    return subject.error();
-  return std::make_unique<VariantCandidate>(VariantCandidate{variant, std::move(*subject), {}, {}});
+  const auto device = VOXC_TRY(devices.open(variant.device));
+  auto subject = VOXC_TRY(measure::Subject::open(volume, variant.format,
+                                                 {.device = device, .threads = threads, .spread = spread}));
+  return std::make_unique<VariantCandidate>(VariantCandidate{variant, std::move(subject), {}, {}});
 }
 
 Expected<void> traceInTurn(std::span<const std::unique_ptr<VariantCandidate>> candidates,
@@ -83,8 +79,7 @@ Expected<void> traceInTurn(std::span<const std::unique_ptr<VariantCandidate>> ca
       if (progress.stopped())
         return Error::interrupted();
       measure::Times *const times = round > 0 ? &candidates[i]->times : nullptr;
-      if (Expected<void> traced = candidates[i]->subject.trace(rays, times, progress); !traced)
-        return traced;
+      VOXC_TRY(candidates[i]->subject.trace(rays, times, progress));
     }
   return {};
 }

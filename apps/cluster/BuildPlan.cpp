@@ -162,17 +162,14 @@ std::optional<BuildPlan> parseBody(std::string_view body) {
 
 Expected<std::string> contentDigest(const std::string &path) {
   TextDigest digest;
-  if (auto added = digest.addFile(path); !added)
-    return added.error();
+  VOXC_TRY(digest.addFile(path));
   return digest.hex();
 }
 
 Expected<void> checkInput(const BuildPlan &plan) {
   for (const InputFile &file : plan.files) {
-    const auto digest = contentDigest(file.path);
-    if (!digest)
-      return digest.error();
-    if (*digest != file.digest)
+    const auto digest = VOXC_TRY(contentDigest(file.path));
+    if (digest != file.digest)
       return Error::input("'" + file.path +
                           "' is not what it was when the plan was made; make the plan again");
   }

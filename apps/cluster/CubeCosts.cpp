@@ -53,8 +53,7 @@ Expected<void> forEachBrick(VoxelSource &source, const Cube &cube, const Progres
     return {};
   }
   std::array<std::uint32_t, 1 << 3 * kLog2Brick> words{};
-  if (auto done = source.read(cube, words.data()); !done)
-    return done;
+  VOXC_TRY(source.read(cube, words.data()));
   BrickCount count;
   std::uint32_t before = 0;
   for (const std::uint32_t word : words) {
@@ -115,13 +114,10 @@ Expected<CubeCosts> predictCosts(const Input &input, const std::string &name, co
   const bool isMesh = input.triangles > 0 && !input.isCropped && input.interior == Interior::Keep;
   if (!isMesh || maxComponent(source.extent()) < kSmallestEstimated) {
     const std::unique_ptr<VoxelSource> view = source.view();
-    if (auto added = addVoxels(view ? *view : source, 0, 1, options.progress, costs); !added)
-      return added.error();
+    VOXC_TRY(addVoxels(view ? *view : source, 0, 1, options.progress, costs));
   } else {
-    auto coarse = openCoarse(name, options, source.extent());
-    if (!coarse)
-      return coarse.error();
-    if (auto added = addVoxels(*coarse->source, kLog2Coarser, kVoxelsInCoarse, options.progress, costs);
+    auto coarse = VOXC_TRY(openCoarse(name, options, source.extent()));
+    if (auto added = addVoxels(*coarse.source, kLog2Coarser, kVoxelsInCoarse, options.progress, costs);
         !added)
       return added.error();
   }

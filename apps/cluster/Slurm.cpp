@@ -11,14 +11,12 @@ namespace {
 
 /// The output of one of Slurm's programs, or its complaint.
 Expected<std::string> ask(const std::vector<std::string> &words) {
-  auto report = runProgram(words);
-  if (!report)
-    return report.error();
-  if (report->exitCode == 0)
-    return std::move(report->output);
-  std::string said = report->output.substr(0, report->output.find('\n'));
+  auto report = VOXC_TRY(runProgram(words));
+  if (report.exitCode == 0)
+    return std::move(report.output);
+  std::string said = report.output.substr(0, report.output.find('\n'));
   return Error::environment(
-      words[0] + " failed: " + (said.empty() ? "exit code " + std::to_string(report->exitCode) : said));
+      words[0] + " failed: " + (said.empty() ? "exit code " + std::to_string(report.exitCode) : said));
 }
 
 template <typename Number> bool readNumber(std::string_view text, Number &number) {
@@ -51,11 +49,9 @@ std::string logPath(const std::string &folder) {
 
 /// Runs sbatch; returns the number of the array.
 Expected<std::string> handOver(const std::vector<std::string> &words) {
-  const auto output = ask(words);
-  if (!output)
-    return output.error();
+  const auto output = VOXC_TRY(ask(words));
   // "123", or "123;cluster"; warnings stand on lines before it.
-  const std::string text = output->substr(0, output->find_last_not_of(" \n") + 1);
+  const std::string text = output.substr(0, output.find_last_not_of(" \n") + 1);
   const std::string last = text.substr(text.rfind('\n') + 1);
   const std::string number = last.substr(0, last.find(';'));
   if (number.empty() || number.find_first_not_of("0123456789") != std::string::npos)
@@ -86,12 +82,10 @@ Expected<std::vector<QueuedJob>> Slurm::queue(std::size_t levels) const {
   std::string names;
   for (std::size_t level = 0; level < levels; ++level)
     names += (level == 0 ? "" : ",") + nameOf(level);
-  const auto output =
-      ask({"squeue", "--me", "--array", "--noheader", "--name=" + names, "--format=%F %K %T %j %r"});
-  if (!output)
-    return output.error();
+  const auto output = VOXC_TRY(
+      ask({"squeue", "--me", "--array", "--noheader", "--name=" + names, "--format=%F %K %T %j %r"}));
   std::vector<QueuedJob> jobs;
-  for (const std::string &line : split(*output, '\n')) {
+  for (const std::string &line : split(output, '\n')) {
     std::istringstream words(line);
     std::string array, index, state, name;
     // Warnings stand on lines of their own.

@@ -27,10 +27,8 @@ TextDigest &TextDigest::add(std::string_view part) {
 }
 
 Expected<void> TextDigest::addFile(const std::string &path) {
-  const auto file = MappedFile::open(path);
-  if (!file)
-    return file.error();
-  const auto bytes = file->bytes();
+  const auto file = VOXC_TRY(MappedFile::open(path));
+  const auto bytes = file.bytes();
   add({reinterpret_cast<const char *>(bytes.data()), bytes.size()});
   return {};
 }

@@ -67,8 +67,7 @@ Expected<void> runLevels(const Jobs &jobs, const Jobs::Missing &missing, unsigne
     watch.progress.at(jobs.itemName(level), static_cast<double>(level) / static_cast<double>(missing.size()));
     if (missing[level].empty())
       continue;
-    if (auto done = runLevel(jobs, level, missing[level], processes, watch); !done)
-      return done;
+    VOXC_TRY(runLevel(jobs, level, missing[level], processes, watch));
   }
   return {};
 }

@@ -51,63 +51,47 @@ public:
   }
 
   Expected<void> run() override {
-    if (Expected<void> writable = checkOutputFile(output_); !writable)
-      return writable;
+    VOXC_TRY(checkOutputFile(output_));
     if (building_.isLossy())
-      return Error::usage(
-          "--lossy looks at all voxels to choose colours, which the parts of a plan cannot; build "
-          "in one go, or state the palette");
+      return Error::usage("--lossy looks at all voxels to choose colours, which the parts of a plan cannot; "
+                          "build in one go, or state the palette");
     Json figures;
     ProgressBar bar(common_.quiet);
-    Expected<Format> format = building_.readFormat("cpu", common_, bar.progress(), figures);
-    if (!format)
-      return format.error();
-    Expected<BuildPlan> plan = makePlan(*format, bar.progress(), figures);
-    if (!plan)
-      return plan.error();
+    auto format = VOXC_TRY(building_.readFormat("cpu", common_, bar.progress(), figures));
+    auto plan = VOXC_TRY(makePlan(format, bar.progress(), figures));
     bar.clear();
-    if (auto written = writeText(output_, printPlan(*plan)); !written)
-      return written;
+    VOXC_TRY(writeText(output_, printPlan(plan)));
     return tellFigures(common_, figures);
   }
 
 private:
   Expected<BuildPlan> makePlan(Format &format, const Progress &progress, Json &figures) const {
-    auto opened = building_.open(format, common_, progress, figures);
-    if (!opened)
-      return opened.error();
+    auto opened = VOXC_TRY(building_.open(format, common_, progress, figures));
     BuildPlan plan;
     plan.format = storageFormat(format);
-    if (auto named = nameInput(plan, opened->arguments); !named)
-      return named.error();
+    VOXC_TRY(nameInput(plan, opened.arguments));
     plan.volume = volume_.empty() ? fs::path(output_).filename().replace_extension(".hvx").string()
                                   : fs::absolute(volume_).lexically_normal().string();
     plan.compress = building_.means().compress;
     plan.fanIn = fanIn_;
-    const VoxelSource &source = *opened->input.source;
+    const VoxelSource &source = *opened.input.source;
     plan.extent = source.extent();
     plan.cubes = partNumbersOf(source, plan.format);
     if (!source.view())
       return Error::input("this input can be read by one process only; voxc build builds it");
-    auto costs = predictCosts(opened->input, building_.input(), opened->options, plan.cubes.log2Side);
-    if (!costs)
-      return costs.error();
-    cut(plan, *costs, figures);
+    auto costs = VOXC_TRY(predictCosts(opened.input, building_.input(), opened.options, plan.cubes.log2Side));
+    cut(plan, costs, figures);
     return plan;
   }
 
   Expected<void> nameInput(BuildPlan &plan, const InputArguments &arguments) const {
     plan.input = absoluteInput(building_.input());
-    const auto files = measure::contentFiles(plan.input);
-    if (!files)
-      return files.error();
-    for (const measure::ContentFile &file : *files) {
-      const auto digest = contentDigest(file.path);
-      if (!digest)
-        return digest.error();
+    const auto files = VOXC_TRY(measure::contentFiles(plan.input));
+    for (const measure::ContentFile &file : files) {
+      const auto digest = VOXC_TRY(contentDigest(file.path));
       if (file.path.find('\n') != std::string::npos)
         return Error::input("'" + file.path + "' has a line break in its name, which a plan cannot hold");
-      plan.files.push_back({*digest, file.path});
+      plan.files.push_back({digest, file.path});
     }
     for (const std::string &word : toWords(arguments))
       plan.options.push_back(word == "--crop" ? "crop=yes" : word.substr(2));

@@ -39,16 +39,12 @@ std::vector<WorkItem> fragmentsOf(const MergeTree &tree) {
 
 /// The voxels of an output and those of the input in the same cubes. Errors: the output is broken (`Input`).
 Expected<VoxelDifferences> compareOutput(const Bench &bench, const WorkItem &item) {
-  auto built = bench.constructor.mergeRun({bench.files.output(item)}, bench.options);
-  if (!built)
-    return built.error();
-  const auto volume = std::make_shared<const Volume>(std::move(built->volume));
-  const auto kept = asKept(*volume, bench.input, bench.options.progress);
-  if (!kept)
-    return kept.error();
+  auto built = VOXC_TRY(bench.constructor.mergeRun({bench.files.output(item)}, bench.options));
+  const auto volume = std::make_shared<const Volume>(std::move(built.volume));
+  const auto kept = VOXC_TRY(asKept(*volume, bench.input, bench.options.progress));
   const FragmentShare share = bench.plan.shareOf(item);
   const int log2Cells = 3 * bench.plan.cubes.log2Side;
-  return compareVoxels(*makeVolumeSource(volume), *kept ? **kept : bench.input, bench.options.progress,
+  return compareVoxels(*makeVolumeSource(volume), kept ? *kept : bench.input, bench.options.progress,
                        {share.begin << log2Cells, share.end << log2Cells});
 }
 
@@ -81,13 +77,11 @@ bool isBuildPlan(const std::string &path) {
 
 Expected<PlanCheck> checkPlan(const std::string &path, const BuildArguments &means,
                               const Progress &progress) {
-  const auto plan = loadPlan(path);
-  if (!plan)
-    return plan.error();
-  const PlanFiles files(*plan, path);
+  const auto plan = VOXC_TRY(loadPlan(path));
+  const PlanFiles files(plan, path);
   PlanCheck found;
   std::vector<WorkItem> there;
-  for (const WorkItem &item : fragmentsOf(plan->tree())) {
+  for (const WorkItem &item : fragmentsOf(plan.tree())) {
     ++found.outputs;
     if (std::filesystem::exists(files.output(item)))
       there.push_back(item);
@@ -96,16 +90,11 @@ Expected<PlanCheck> checkPlan(const std::string &path, const BuildArguments &mea
   }
   const BuildOptions options{
       .threads = threadsOf(means), .memory = makeWorkingMemory(means), .progress = progress};
-  const auto input = openPlanned(*plan, there, options);
-  if (!input)
-    return input.error();
-  const auto constructor = Constructor::compile(plan->format, compileCache());
-  if (!constructor)
-    return constructor.error();
-  const Bench bench{*plan, files, *constructor, *input->source, options};
+  const auto input = VOXC_TRY(openPlanned(plan, there, options));
+  const auto constructor = VOXC_TRY(Constructor::compile(plan.format, compileCache()));
+  const Bench bench{plan, files, constructor, *input.source, options};
   for (const WorkItem &item : there)
-    if (auto checked = check(bench, item, found); !checked)
-      return checked.error();
+    VOXC_TRY(check(bench, item, found));
   return found;
 }
 

@@ -41,8 +41,7 @@ std::vector<std::array<Int3, 2>> boxesOf(const BuildPlan &plan, std::span<const 
 
 Expected<Input> openPlanned(const BuildPlan &plan, std::span<const WorkItem> items,
                             const BuildOptions &options) {
-  if (auto same = checkInput(plan); !same)
-    return same.error();
+  VOXC_TRY(checkInput(plan));
   std::string words;
   for (const std::string &option : plan.options)
     words += (words.empty() ? "" : " ") + option;
@@ -55,11 +54,9 @@ Expected<Input> openPlanned(const BuildPlan &plan, std::span<const WorkItem> ite
   if (!inputOptions.crop && inputOptions.interior == Interior::Keep &&
       inputOptions.coverage != Coverage::Centre)
     inputOptions.regions = boxesOf(plan, items);
-  auto input = openInput(plan.input, inputOptions);
-  if (!input)
-    return input;
-  const PartNumbers cubes = partNumbersOf(*input->source, plan.format);
-  if (input->source->extent() != plan.extent || cubes.log2Side != plan.cubes.log2Side ||
+  auto input = VOXC_TRY(openInput(plan.input, inputOptions));
+  const PartNumbers cubes = partNumbersOf(*input.source, plan.format);
+  if (input.source->extent() != plan.extent || cubes.log2Side != plan.cubes.log2Side ||
       cubes.count != plan.cubes.count)
     return Error::input("the input has other voxels than when the plan was made; make the plan again");
   return input;

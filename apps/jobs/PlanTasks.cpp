@@ -23,19 +23,16 @@ struct Task {
 
 /// The items of a level, or of all merges for level 1.
 Expected<Task> readTask(const std::string &path, const std::string &numbers, std::size_t level) {
-  auto plan = loadPlan(path);
-  if (!plan)
-    return plan.error();
-  const MergeTree tree = plan->tree();
+  auto plan = VOXC_TRY(loadPlan(path));
+  const MergeTree tree = plan.tree();
   const std::uint64_t limit = level == 0 ? tree.count(0) : tree.merges();
   const auto chosen = parseNumberList(numbers, limit);
   if (!chosen)
     return Error::usage("'" + numbers + "' is no list of numbers from 0 to " + std::to_string(limit - 1) +
                         "; write one such as 0,3,5-9");
-  Task task{std::move(*plan), {}, 0};
+  Task task{std::move(plan), {}, 0};
   const PlanFiles files(task.plan, path);
-  if (auto made = files.makeFolder(); !made)
-    return made.error();
+  VOXC_TRY(files.makeFolder());
   for (const std::uint64_t number : *chosen) {
     const WorkItem item = level == 0 ? WorkItem{0, number} : tree.merge(number);
     if (files.stands(item))
@@ -65,33 +62,25 @@ void addTaskFigures(Json &figures, const Task &task, std::uint64_t voxels, std::
 
 Expected<void> buildParts(const std::string &path, const std::string &numbers,
                           const BuildArguments &arguments, const Progress &progress, Json &figures) {
-  const auto task = readTask(path, numbers, 0);
-  if (!task)
-    return task.error();
+  const auto task = VOXC_TRY(readTask(path, numbers, 0));
   std::uint64_t voxels = 0;
   BuildOptions options = optionsOf(arguments, progress);
-  if (!task->missing.empty()) {
-    auto input = openPlanned(task->plan, task->missing, options);
-    if (!input)
-      return input.error();
-    auto constructor = Constructor::compile(task->plan.format, compileCache());
-    if (!constructor)
-      return constructor.error();
-    options.provenance = input->provenance;
-    const PlanFiles files(task->plan, path);
+  if (!task.missing.empty()) {
+    auto input = VOXC_TRY(openPlanned(task.plan, task.missing, options));
+    auto constructor = VOXC_TRY(Constructor::compile(task.plan.format, compileCache()));
+    options.provenance = input.provenance;
+    const PlanFiles files(task.plan, path);
     Json seconds = Json::array();
-    for (const WorkItem &item : task->missing) {
-      const auto report =
-          constructor->buildFragment(*input->source, task->plan.shareOf(item), files.output(item), options);
-      if (!report)
-        return report.error();
-      voxels += report->voxels;
+    for (const WorkItem &item : task.missing) {
+      const auto report = VOXC_TRY(
+          constructor.buildFragment(*input.source, task.plan.shareOf(item), files.output(item), options));
+      voxels += report.voxels;
       seconds.push_back(
-          {{"part", item.index}, {"voxels", report->voxels}, {"build_cpu_seconds", report->cpuSeconds}});
+          {{"part", item.index}, {"voxels", report.voxels}, {"build_cpu_seconds", report.cpuSeconds}});
     }
     figures["parts"] = std::move(seconds);
   }
-  addTaskFigures(figures, *task, voxels, options.memory->scratchPeak());
+  addTaskFigures(figures, task, voxels, options.memory->scratchPeak());
   return {};
 }
 
@@ -110,36 +99,27 @@ Expected<std::uint64_t> merge(const Constructor &constructor, const BuildPlan &p
   }
   options.path = files.output(item);
   options.compress = plan.compress;
-  const auto built = constructor.merge(paths, options);
-  if (!built)
-    return built.error();
-  if (auto noted = files.noteVolume(); !noted)
-    return noted.error();
-  return built->report.voxels;
+  const auto built = VOXC_TRY(constructor.merge(paths, options));
+  VOXC_TRY(files.noteVolume());
+  return built.report.voxels;
 }
 
 } // namespace
 
 Expected<void> mergeParts(const std::string &path, const std::string &numbers,
                           const BuildArguments &arguments, const Progress &progress, Json &figures) {
-  const auto task = readTask(path, numbers, 1);
-  if (!task)
-    return task.error();
+  const auto task = VOXC_TRY(readTask(path, numbers, 1));
   std::uint64_t voxels = 0;
   const BuildOptions options = optionsOf(arguments, progress);
-  if (!task->missing.empty()) {
-    auto constructor = Constructor::compile(task->plan.format, compileCache());
-    if (!constructor)
-      return constructor.error();
-    const PlanFiles files(task->plan, path);
-    for (const WorkItem &item : task->missing) {
-      const auto merged = merge(*constructor, task->plan, files, item, options);
-      if (!merged)
-        return merged.error();
-      voxels += *merged;
+  if (!task.missing.empty()) {
+    auto constructor = VOXC_TRY(Constructor::compile(task.plan.format, compileCache()));
+    const PlanFiles files(task.plan, path);
+    for (const WorkItem &item : task.missing) {
+      const auto merged = VOXC_TRY(merge(constructor, task.plan, files, item, options));
+      voxels += merged;
     }
   }
-  addTaskFigures(figures, *task, voxels, options.memory->scratchPeak());
+  addTaskFigures(figures, task, voxels, options.memory->scratchPeak());
   return {};
 }
 

@@ -73,11 +73,9 @@ Expected<std::uint64_t> handOver(const Jobs &jobs, const Slurm &slurm, const Job
     });
     std::vector<std::string> here = arraysOf(queue, level);
     if (!numbers.empty()) {
-      const auto array = slurm.submit(
-          {level, numberListText(numbers), below, avoid, commandLine(jobs, level), jobs.folder()});
-      if (!array)
-        return array.error();
-      here.push_back(*array);
+      const auto array = VOXC_TRY(slurm.submit(
+          {level, numberListText(numbers), below, avoid, commandLine(jobs, level), jobs.folder()}));
+      here.push_back(array);
       count += numbers.size();
     }
     arrays.insert(here.begin(), here.end());
@@ -106,8 +104,7 @@ public:
         const std::uint64_t left = std::min<std::uint64_t>(queue->size(), all);
         watch_.progress.at("jobs", 1 - static_cast<double>(left) / static_cast<double>(all), all - left);
       }
-      if (auto slept = sleep(); !slept)
-        return slept;
+      VOXC_TRY(sleep());
     }
   }
 
@@ -183,13 +180,9 @@ Expected<void> runBySlurm(const Jobs &jobs, const SlurmMeans &means, const JobWa
   std::uint64_t submitted = 0;
   for (bool isFirst = true;; isFirst = false) {
     // In this order: what ends meanwhile stands, and is not handed over twice.
-    const auto queue = slurm.queue(jobs.levels());
-    if (!queue)
-      return queue.error();
-    const auto missing = jobs.missing();
-    if (!missing)
-      return missing.error();
-    const std::uint64_t count = countOf(*missing);
+    const auto queue = VOXC_TRY(slurm.queue(jobs.levels()));
+    const auto missing = VOXC_TRY(jobs.missing());
+    const std::uint64_t count = countOf(missing);
     if (isFirst)
       figures["missing"] = count;
     else if (count > 0 && !watch.quiet)
@@ -198,26 +191,21 @@ Expected<void> runBySlurm(const Jobs &jobs, const SlurmMeans &means, const JobWa
     if (count == 0)
       break;
     std::set<std::string> round;
-    const auto handed = handOver(jobs, slurm, *missing, *queue, avoid, round);
-    if (!handed)
-      return handed.error();
+    const auto handed = VOXC_TRY(handOver(jobs, slurm, missing, queue, avoid, round));
     arrays.insert(round.begin(), round.end());
-    submitted += *handed;
+    submitted += handed;
     figures["submitted"] = submitted;
     if (!means.wait)
       return {};
-    if (auto waited = Waiting(jobs, means, watch, slurm).forAll(count); !waited)
-      return waited;
+    VOXC_TRY(Waiting(jobs, means, watch, slurm).forAll(count));
     // What failed wherever it ran may do on another node: once, if nothing else was done meanwhile.
     const std::vector<JobAccount> accounts = slurm.accounts({round.begin(), round.end()});
     const bool wasElsewhere = !avoid.empty();
     avoid = nodesThatFail(accounts);
-    const auto left = jobs.missing();
-    if (!left)
-      return left.error();
+    const auto left = VOXC_TRY(jobs.missing());
     // Where all jobs were of an earlier run, which may have been cancelled, none was asked for so far.
-    if (*left == *missing && *handed > 0 && (wasElsewhere || avoid.empty()))
-      return whatFailed(jobs, countOf(*left), accounts);
+    if (left == missing && handed > 0 && (wasElsewhere || avoid.empty()))
+      return whatFailed(jobs, countOf(left), accounts);
   }
   addAccounts(figures, slurm.accounts({arrays.begin(), arrays.end()}));
   return {};

@@ -26,21 +26,13 @@ public:
 
   Expected<void> run() override {
     const std::string path = std::filesystem::absolute(path_).lexically_normal().string();
-    auto plan = loadPlan(path);
-    if (!plan)
-      return plan.error();
-    const PlanRun run(path, std::move(*plan), {});
+    auto plan = VOXC_TRY(loadPlan(path));
+    const PlanRun run(path, std::move(plan), {});
     std::vector<QueuedJob> queue;
-    if (bySlurm_) {
-      auto asked = slurmOf(run, {}).queue(run.levels());
-      if (!asked)
-        return asked.error();
-      queue = std::move(*asked);
-    }
-    const auto missing = run.missing();
-    if (!missing)
-      return missing.error();
-    const Json figures = figuresOf(run, *missing, queue);
+    if (bySlurm_)
+      queue = VOXC_TRY(slurmOf(run, {}).queue(run.levels()));
+    const auto missing = VOXC_TRY(run.missing());
+    const Json figures = figuresOf(run, missing, queue);
     if (tellsOnStdout(common_))
       print(figures);
     return writeStatistics(common_.stats, figures);

@@ -31,26 +31,20 @@ public:
       return Error::usage("say where the plan shall be carried out: --local N or --slurm");
     // A job may start in any folder.
     const std::string path = std::filesystem::absolute(path_).lexically_normal().string();
-    auto plan = cluster::loadPlan(path);
-    if (!plan)
-      return plan.error();
-    if (auto same = cluster::checkInput(*plan); !same)
-      return same;
+    auto plan = VOXC_TRY(cluster::loadPlan(path));
+    VOXC_TRY(cluster::checkInput(plan));
     Json figures;
     ProgressBar bar(common_.quiet);
-    const PlanRun run(path, std::move(*plan), means_);
-    if (auto made = run.files().makeFolder(); !made)
-      return made;
+    const PlanRun run(path, std::move(plan), means_);
+    VOXC_TRY(run.files().makeFolder());
     const auto lock = cluster::PlanLock::take(run.files().folder(), bar.progress(), [this] {
       if (!common_.quiet)
-        printNote(
-            "note: the plan is being carried out by another voxc submit, or tasks of one are left; waiting "
-            "for them to end");
+        printNote("note: the plan is being carried out by another voxc submit, or tasks of one are left; "
+                  "waiting for them to end");
     });
     if (!lock)
       return lock.error();
-    if (auto done = jobs_.run(run, means_.threads, {bar.progress(), common_.quiet}, figures); !done)
-      return done;
+    VOXC_TRY(jobs_.run(run, means_.threads, {bar.progress(), common_.quiet}, figures));
     bar.clear();
     return tellFigures(common_, figures);
   }

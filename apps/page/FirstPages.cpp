@@ -41,9 +41,7 @@ Expected<std::vector<std::uint32_t>> firstPages(const Volume &volume, const Pict
                                                 const Clip &clip, std::uint32_t pageBytes) {
   Format format = volume.format();
   askForBounds(format);
-  const Expected<CpuKernel> kernel = compileCpuKernel(format, {.addressing = Addressing::Paged});
-  if (!kernel)
-    return kernel.error();
+  const auto kernel = VOXC_TRY(compileCpuKernel(format, {.addressing = Addressing::Paged}));
   const std::uint32_t pageWords = pageBytes / sizeof(std::uint32_t);
   CpuPages pages;
   pages.slots = volume.words().data();
@@ -59,9 +57,9 @@ Expected<std::vector<std::uint32_t>> firstPages(const Volume &volume, const Pict
   for (const int height : kSteps) {
     const std::vector<BoundedRay> rays = clip.bounded(raysOf(view, height), 0);
     std::vector<Hit> hits(rays.size());
-    kernel->function(reinterpret_cast<const std::uint32_t *>(&pages),
-                     reinterpret_cast<const float *>(rays.data()),
-                     reinterpret_cast<std::uint32_t *>(hits.data()), rays.size(), 0, 0);
+    kernel.function(reinterpret_cast<const std::uint32_t *>(&pages),
+                    reinterpret_cast<const float *>(rays.data()),
+                    reinterpret_cast<std::uint32_t *>(hits.data()), rays.size(), 0, 0);
     for (std::uint32_t page = 0; page < pages.pages; ++page)
       if ((table[page] & kTouched) != 0 && !isFound[page]) {
         found.push_back(page);

@@ -103,14 +103,12 @@ Expected<std::string> makePage(const Volume &volume, const PageContents &content
         "the volume has " + grouped(words.size()) + " words, and browsers keep no more than " +
         grouped(kMostWords) +
         " in a texture; a smaller format or resolution fits, or a page that reads what it needs (--url)");
-  const Expected<std::string> script = makeScript(volume, contents);
-  if (!script)
-    return script.error();
-  const std::string packed = deflated(*script + planesOf(words) + contents.checks);
+  const auto script = VOXC_TRY(makeScript(volume, contents));
+  const std::string packed = deflated(script + planesOf(words) + contents.checks);
   const std::size_t frames = streamed ? 0 : framesOf(volume).size();
   Holes holes = {
       {"BYTES", std::to_string(packed.size())},
-      {"SCRIPT_BYTES", std::to_string(script->size())},
+      {"SCRIPT_BYTES", std::to_string(script.size())},
       {"WORDS", std::to_string(words.size())},
       {"BLOCK_WORDS", std::to_string(kBlockWords)},
       {"TITLE", escaped(contents.title)},
@@ -123,10 +121,8 @@ Expected<std::string> makePage(const Volume &volume, const PageContents &content
       // Whoever is on a server is asked for an icon.
       {"ICON", streamed ? "<link rel=\"icon\" href=\"data:,\">\n" : ""},
       {"PACKED", sevenBitText(packed)}};
-  const Expected<std::string> unpack = fill(tersely("unpack.js"), holes);
-  if (!unpack)
-    return unpack.error();
-  holes["UNPACK"] = *unpack;
+  const auto unpack = VOXC_TRY(fill(tersely("unpack.js"), holes));
+  holes["UNPACK"] = unpack;
   return fill(tersely("page.html"), holes);
 }
 

@@ -100,11 +100,9 @@ Json sceneOf(const Volume &volume, const PageContents &contents) {
 
 Expected<std::string> makeScript(const Volume &volume, const PageContents &contents) {
   const bool isStreamed = contents.streamed.has_value();
-  const Expected<Json> shaders = makeShaders(volume.format(), isStreamed, !contents.clip.cutsNothing());
-  if (!shaders)
-    return shaders.error();
+  const auto shaders = VOXC_TRY(makeShaders(volume.format(), isStreamed, !contents.clip.cutsNothing()));
   std::string script =
-      "const scene = " + sceneOf(volume, contents).dump() + ";\nconst shaders = " + shaders->dump() + ";\n";
+      "const scene = " + sceneOf(volume, contents).dump() + ";\nconst shaders = " + shaders.dump() + ";\n";
   for (const std::string name : isStreamed ? std::span<const char *const>(kStreamedScripts) : kScripts)
     script += tersely(name + ".js");
   return script;

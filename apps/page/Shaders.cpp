@@ -72,10 +72,8 @@ std::string terse(std::string_view text) {
 Expected<std::string> functionsOf(Format format, const PlanOptions &options, std::string_view precision,
                                   HeaderLanguage language) {
   askForPrecision(format, precision);
-  const Expected<Plan> plan = makePlan(format, options);
-  if (!plan)
-    return plan.error();
-  return terse(emitHeader(*plan, kName, language));
+  const auto plan = VOXC_TRY(makePlan(format, options));
+  return terse(emitHeader(plan, kName, language));
 }
 
 /// Those of both as one text.
@@ -105,11 +103,9 @@ Expected<Json> piecesOf(const Format &format, const PlanOptions &options, bool i
   for (const HeaderLanguage language : {HeaderLanguage::GlslEs, HeaderLanguage::Wgsl}) {
     if (language == HeaderLanguage::Wgsl && isStreamed)
       break;
-    const Expected<std::string> functions = functionsOf(format, options, language);
-    if (!functions)
-      return functions.error();
+    const auto functions = VOXC_TRY(functionsOf(format, options, language));
     for (std::size_t i = 0; i < kPieces; ++i)
-      pieces[i][std::string(toString(language))] = pieceOf(*functions, i);
+      pieces[i][std::string(toString(language))] = pieceOf(functions, i);
   }
   return pieces;
 }
@@ -131,10 +127,8 @@ std::string textOf(const Pass &pass, bool isStreamed, bool isCut) {
 
 /// The same in WGSL.
 Expected<std::string> wgslOf(const std::string &functions, const std::string &declared) {
-  const Expected<std::string> text = emitFunctions(functions, declared, HeaderLanguage::Wgsl);
-  if (!text)
-    return text.error();
-  return terse(*text);
+  const auto text = VOXC_TRY(emitFunctions(functions, declared, HeaderLanguage::Wgsl));
+  return terse(text);
 }
 
 Json esslShaders(std::span<const Pass> passes, bool isStreamed, bool isCut) {
@@ -149,15 +143,11 @@ Json esslShaders(std::span<const Pass> passes, bool isStreamed, bool isCut) {
 
 Expected<Json> wgslShaders(std::span<const Pass> passes, bool isCut) {
   const std::string given = shaderText("given.glsl");
-  const Expected<std::string> structs = wgslOf(given, "");
-  if (!structs)
-    return structs.error();
-  Json shaders{{"begin", *structs + tersely("shader/webgpu/begin.wgsl")}};
+  const auto structs = VOXC_TRY(wgslOf(given, ""));
+  Json shaders{{"begin", structs + tersely("shader/webgpu/begin.wgsl")}};
   for (const Pass &pass : passes) {
-    const Expected<std::string> text = wgslOf(textOf(pass, false, isCut), given + shaderText("kernel.glsl"));
-    if (!text)
-      return text.error();
-    shaders[std::string(pass.name)] = *text + terse(shaderText(pass.wgsl));
+    const auto text = VOXC_TRY(wgslOf(textOf(pass, false, isCut), given + shaderText("kernel.glsl")));
+    shaders[std::string(pass.name)] = text + terse(shaderText(pass.wgsl));
   }
   return shaders;
 }
@@ -172,15 +162,11 @@ Expected<Json> makeShaders(const Format &format, bool isStreamed, bool isCut) {
   const std::span<const Pass> passes = isStreamed ? std::span<const Pass>(kStreamedPasses) : kPasses;
   Json shaders{{"given", tersely("shader/given.glsl")}, {"essl", esslShaders(passes, isStreamed, isCut)}};
   if (!isStreamed) {
-    const Expected<Json> wgsl = wgslShaders(passes, isCut);
-    if (!wgsl)
-      return wgsl.error();
-    shaders["wgsl"] = *wgsl;
+    const auto wgsl = VOXC_TRY(wgslShaders(passes, isCut));
+    shaders["wgsl"] = wgsl;
   }
-  const Expected<Json> functions = piecesOf(format, options, isStreamed);
-  if (!functions)
-    return functions.error();
-  shaders["functions"] = *functions;
+  const auto functions = VOXC_TRY(piecesOf(format, options, isStreamed));
+  shaders["functions"] = functions;
   return shaders;
 }
 

@@ -88,10 +88,8 @@ Error SearchCommand::tooShort(const std::string &meanwhile) const {
 }
 
 Expected<void> SearchCommand::tell(const Told &told, Json &figures) {
-  const auto cells = measure::readRecords(options_.folder);
-  if (!cells)
-    return cells.error();
-  const measure::SearchVerdict verdict = told.search.verdict(*cells);
+  const auto cells = VOXC_TRY(measure::readRecords(options_.folder));
+  const measure::SearchVerdict verdict = told.search.verdict(cells);
   const SearchResult result{.input = options_.input,
                             .arguments = options_.inputArguments,
                             .device = told.axes.devices.front().part.name,
@@ -106,8 +104,7 @@ Expected<void> SearchCommand::tell(const Told &told, Json &figures) {
   addSearchFigures(figures, result);
   std::fputs(searchReport(result).c_str(), stdout);
   std::fflush(stdout);
-  if (Expected<void> written = measure::writeVerdict(options_.folder, verdict); !written)
-    return written;
+  VOXC_TRY(measure::writeVerdict(options_.folder, verdict));
   if (!progress_.stopped())
     makePage();
   return writeStatistics(options_.common.stats, figures);
@@ -150,14 +147,11 @@ measure::FormatSearchOptions SearchCommand::searchOptions(const Scene &scene, co
 
 Expected<void> SearchCommand::measure(const bench::SweepAxes &axes, measure::FormatSearch &search,
                                       Explored explored, Json &figures) {
-  auto writer = measure::RecordWriter::open(options_.folder + "/" + recordsName_);
-  if (!writer)
-    return writer.error();
+  auto writer = VOXC_TRY(measure::RecordWriter::open(options_.folder + "/" + recordsName_));
   if (!options_.shares.share())
-    if (Expected<void> joined = bench::joinShares(options_.folder, "", *writer); !joined)
-      return joined;
+    VOXC_TRY(bench::joinShares(options_.folder, "", writer));
   const std::size_t rated = explored.rated;
-  const auto keep = [&](const measure::Record &record) { return writer->append(record); };
+  const auto keep = [&](const measure::Record &record) { return writer.append(record); };
   // What others took for their shares is not of this budget.
   const measure::TimeBudget budget =
       options_.shares.areElsewhere() ? measure::TimeBudget(options_.budget) : budget_;
@@ -192,15 +186,10 @@ Expected<void> SearchCommand::measureElsewhere(const Explored &explored, const s
                                                bench::SweepAxes &axes, Json &figures) {
   constexpr std::size_t kFormatsOfShare = 16;
   const std::uint64_t count = options_.shares.count((seeds.size() + kFormatsOfShare - 1) / kFormatsOfShare);
-  const auto found = bench::measureInShares(
-      sharedCells(explored.formats, seeds, count, axes), {options_.folder, options_.shares.command("search")},
-      options_.shares, options_.building.threads, {progress_, options_.common.quiet}, figures);
-  if (!found)
-    return found.error();
-  auto known = measure::readRecords(options_.folder);
-  if (!known)
-    return known.error();
-  known_ = std::move(*known);
+  VOXC_TRY(bench::measureInShares(sharedCells(explored.formats, seeds, count, axes),
+                                  {options_.folder, options_.shares.command("search")}, options_.shares,
+                                  options_.building.threads, {progress_, options_.common.quiet}, figures));
+  known_ = VOXC_TRY(measure::readRecords(options_.folder));
   return {};
 }
 
@@ -208,53 +197,41 @@ Expected<void> SearchCommand::search(Scene &scene, Json &figures) {
   if (!scene.colours)
     return Error::environment("the scene with its colours takes more than the memory that may be used; "
                               "--memory allows more, and a lower --resolution takes less");
-  auto axes = makeSearchAxes(options_, scene);
-  if (!axes)
-    return axes.error();
-  auto seeds = readCandidates(options_.formatList, scene);
-  if (!seeds)
-    return seeds.error();
-  auto known = measure::readRecords(options_.folder);
-  if (!known)
-    return known.error();
-  known_ = std::move(*known);
+  auto axes = VOXC_TRY(makeSearchAxes(options_, scene));
+  auto seeds = VOXC_TRY(readCandidates(options_.formatList, scene));
+  known_ = VOXC_TRY(measure::readRecords(options_.folder));
   if (options_.formatList.empty())
-    addKnown(scene, *seeds);
-  noteOtherSizes(*seeds, scene, options_.common);
+    addKnown(scene, seeds);
+  noteOtherSizes(seeds, scene, options_.common);
   if (const auto share = options_.shares.share()) {
-    recordsName_ = bench::shareFileName(searchDigest(*seeds, *axes), *share);
-    keepShare(*seeds, *share);
+    recordsName_ = bench::shareFileName(searchDigest(seeds, axes), *share);
+    keepShare(seeds, *share);
   }
   measure::Devices devices;
-  const auto device = devices.open(options_.device);
-  if (!device)
-    return device.error();
-  measure::FormatSearch search(scene, measuredSets(scene, *axes), searchOptions(scene, *axes, *device));
+  const auto device = VOXC_TRY(devices.open(options_.device));
+  measure::FormatSearch search(scene, measuredSets(scene, axes), searchOptions(scene, axes, device));
   const Stopwatch exploring;
   // Others are waited for, however long they take.
   Explored explored =
-      search.explore(*seeds, options_.shares.areElsewhere() ? measure::TimeBudget() : budget_, progress_);
+      search.explore(seeds, options_.shares.areElsewhere() ? measure::TimeBudget() : budget_, progress_);
   figures["explore_seconds"] = exploring.seconds();
   if (progress_.stopped())
     return Error::interrupted();
   if (explored.formats.empty())
-    return budget_.isOver() ? tooShort("speeds were predicted") : explainNone(*seeds, scene);
+    return budget_.isOver() ? tooShort("speeds were predicted") : explainNone(seeds, scene);
   if (options_.shares.areElsewhere()) {
-    if (Expected<void> measured = measureElsewhere(explored, *seeds, *axes, figures); !measured)
-      return measured;
+    VOXC_TRY(measureElsewhere(explored, seeds, axes, figures));
     if (!options_.shares.jobs().waits())
       return writeStatistics(options_.common.stats, figures);
   }
-  return measure(*axes, search, std::move(explored), figures);
+  return measure(axes, search, std::move(explored), figures);
 }
 
 Expected<void> SearchCommand::run() {
   watch_ = {};
-  if (Expected<void> usable = options_.read(); !usable)
-    return usable;
+  VOXC_TRY(options_.read());
   budget_ = measure::TimeBudget(options_.budget - std::min(kEndSeconds, kEndShare * options_.budget));
-  if (Expected<void> made = makeOutputFolder(options_.folder + "/cache"); !made)
-    return made;
+  VOXC_TRY(makeOutputFolder(options_.folder + "/cache"));
   measure::disableShaderCaches();
   ProgressBar bar(options_.common.quiet);
   bar_ = &bar;

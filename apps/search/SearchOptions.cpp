@@ -55,8 +55,8 @@ void SearchOptions::declare(const CommandLine &command) {
       .notNegative();
   command
       .add("--cameras", rays.cameraFile,
-           "A camera file: its camera of the input's name, or all if there is none; default: one that "
-           "sees the whole volume, and rays from where it hits that go anywhere")
+           "A camera file: its camera of the input's name, or all if there is none; default: one that sees "
+           "the whole volume, and rays from where it hits that go anywhere")
       .takes("FILE");
   command.add("--size", rays.size, "Pixels of the cameras' pictures; default: the file's, or 480x270")
       .takes("WxH");

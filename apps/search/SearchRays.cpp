@@ -35,21 +35,14 @@ std::vector<measure::MeasuredSet> measuredSets(const Scene &scene, const bench::
 }
 
 Expected<bench::SweepAxes> makeSearchAxes(const SearchOptions &options, const Scene &scene) {
-  auto model = bench::readModel(options.input, options.inputArguments);
-  if (!model)
-    return model.error();
-  auto rays = measuredRays(options, scene);
-  if (!rays)
-    return rays.error();
-  auto devices = bench::findDevices({options.device}, options.building.threads);
-  if (!devices)
-    return devices.error();
-  for (const bench::RaySet &set : *rays)
-    if (Expected<void> kept = bench::keepRays(set, options.folder + "/cache"); !kept)
-      return kept.error();
+  auto model = VOXC_TRY(bench::readModel(options.input, options.inputArguments));
+  auto rays = VOXC_TRY(measuredRays(options, scene));
+  auto devices = VOXC_TRY(bench::findDevices({options.device}, options.building.threads));
+  for (const bench::RaySet &set : rays)
+    VOXC_TRY(bench::keepRays(set, options.folder + "/cache"));
   std::vector<bench::SweepModel> models;
-  models.push_back({std::move(*model), std::move(*rays)});
-  return bench::SweepAxes{std::move(models), {}, {options.precision}, std::move(*devices)};
+  models.push_back({std::move(model), std::move(rays)});
+  return bench::SweepAxes{std::move(models), {}, {options.precision}, std::move(devices)};
 }
 
 } // namespace voxc::tool

@@ -70,8 +70,7 @@ void BenchCommand::declare(const CommandLine &command) {
   arguments_.declare(command);
   command
       .add("-o,--output", folder_,
-           "Folder of results, cached volumes and pictures; an earlier run's is "
-           "continued")
+           "Folder of results, cached volumes and pictures; an earlier run's is continued")
       .takes("DIR");
   shares_.declare(command, "as many as there are models, whose formats are then measured together");
   addCommonOptions(command, common_);
@@ -117,8 +116,7 @@ Expected<void> BenchCommand::tell(const std::vector<Cell> &cells, Json figures) 
     kept += cell.isKept;
   }
   figures.update({{"cells", cells.size()}, {"kept", kept}, {"failed", failed}});
-  if (Expected<void> written = writeStatistics(common_.stats, figures); !written)
-    return written;
+  VOXC_TRY(writeStatistics(common_.stats, figures));
   // Who joins the shares tells what failed.
   if (shares_.share())
     return {};
@@ -136,33 +134,26 @@ Expected<void> BenchCommand::tell(const std::vector<Cell> &cells, Json figures) 
 
 Expected<void> BenchCommand::runHere() {
   disableShaderCaches();
-  const auto axes = arguments_.readAxes(false);
-  if (!axes)
-    return axes.error();
-  std::vector<Cell> cells = makeCells(*axes, madeBy(commandText()));
+  const auto axes = VOXC_TRY(arguments_.readAxes(false));
+  std::vector<Cell> cells = makeCells(axes, madeBy(commandText()));
   SweepOptions options = arguments_.options(folder_);
   if (const auto share = shares_.share()) {
     keepShare(cells, *share);
-    options.records = shareFileName(sweepDigest(*axes), *share);
+    options.records = shareFileName(sweepDigest(axes), *share);
   }
-  auto sweep = Sweep::open(*axes, std::move(cells), std::move(options));
-  if (!sweep)
-    return sweep.error();
+  auto sweep = VOXC_TRY(Sweep::open(axes, std::move(cells), std::move(options)));
   ProgressBar bar(common_.quiet);
-  if (Expected<void> swept = sweep->run(bar.progress()); !swept)
-    return swept;
+  VOXC_TRY(sweep.run(bar.progress()));
   bar.clear();
-  return tell(sweep->cells(), {});
+  return tell(sweep.cells(), {});
 }
 
 Expected<void> BenchCommand::runInShares() {
-  const auto axes = arguments_.readAxes(true);
-  if (!axes)
-    return axes.error();
-  const std::vector<Cell> cells = makeCells(*axes, madeBy(commandText()));
+  const auto axes = VOXC_TRY(arguments_.readAxes(true));
+  const std::vector<Cell> cells = makeCells(axes, madeBy(commandText()));
   const SweepOptions options = arguments_.options(folder_);
-  const std::uint64_t count = shares_.count(axes->models.size());
-  SharedCells shared{{}, shareOfEach(cells, count), count, axes->devices, sweepDigest(*axes)};
+  const std::uint64_t count = shares_.count(axes.models.size());
+  SharedCells shared{{}, shareOfEach(cells, count), count, axes.devices, sweepDigest(axes)};
   for (const Cell &cell : cells)
     shared.cells.push_back(cell.record.cell);
   ProgressBar bar(common_.quiet);
@@ -187,8 +178,7 @@ Expected<void> BenchCommand::run() {
   for (auto &[subcommand, action] : actions_)
     if (subcommand.isGiven())
       return action->run();
-  if (Expected<void> usable = checkUsage(); !usable)
-    return usable;
+  VOXC_TRY(checkUsage());
   return shares_.areElsewhere() ? runInShares() : runHere();
 }
 

@@ -33,25 +33,20 @@ public:
   }
 
   Expected<void> run() override {
-    const auto records = readRecords(folder_);
-    if (!records)
-      return records.error();
-    if (Expected<void> made = makeOutputFolder(output_); !made)
-      return made;
+    const auto records = VOXC_TRY(readRecords(folder_));
+    VOXC_TRY(makeOutputFolder(output_));
     PackWriter packs(output_, packMegabytes_ * 1000000);
     std::uint64_t cells = 0;
     std::set<std::string> known;
-    for (const Record &record : *records) {
+    for (const Record &record : records) {
       if (!record.isMeasured() || !known.insert(withoutDevice(record)).second)
         continue;
-      if (Expected<void> packed = packCell(record, folder_, packs); !packed)
-        return packed;
+      VOXC_TRY(packCell(record, folder_, packs));
       ++cells;
     }
     if (cells == 0)
       return Error::input("folder '" + folder_ + "' has no measured cells; 'voxc bench' makes them");
-    if (Expected<void> finished = packs.finish(); !finished)
-      return finished;
+    VOXC_TRY(packs.finish());
     return tellFigures(common_, {{"cells", cells}, {"packs", packs.packs()}});
   }
 

@@ -79,10 +79,8 @@ private:
 
 Expected<void> BenchImportCommand::readResult(const fs::path &path) {
   const auto broken = [&](const std::string &what) { return Error::input(path.string() + " " + what); };
-  const Expected<std::string> text = readTextFile(path.string());
-  if (!text)
-    return text.error();
-  const Json figures = Json::parse(*text, nullptr, false);
+  const auto text = VOXC_TRY(readTextFile(path.string()));
+  const Json figures = Json::parse(text, nullptr, false);
   if (!isResult(figures))
     return broken("is no result; it should be what voxc-trace --stats wrote, with device, driver and rounds");
   Findings &findings = findings_[path.stem().stem().string()]; // Of CELL.ROUND.json.
@@ -112,8 +110,7 @@ Expected<void> BenchImportCommand::readFolder(const std::string &path) {
     return Error::input("folder '" + path + "' cannot be read: " + failure.message());
   std::ranges::sort(files);
   for (const fs::path &file : files)
-    if (Expected<void> read = readResult(file); !read)
-      return read;
+    VOXC_TRY(readResult(file));
   return {};
 }
 
@@ -150,31 +147,22 @@ Record BenchImportCommand::makeRecord(const Record &base, const Findings &findin
 
 Expected<void> BenchImportCommand::run() {
   for (const std::string &path : results_)
-    if (Expected<void> read = readFolder(path); !read)
-      return read;
-  const auto records = readRecords(folder_);
-  if (!records)
-    return records.error();
-  auto writer = RecordWriter::open((fs::path(folder_) / kResultsName).string());
-  if (!writer)
-    return writer.error();
+    VOXC_TRY(readFolder(path));
+  const auto records = VOXC_TRY(readRecords(folder_));
+  auto writer = VOXC_TRY(RecordWriter::open((fs::path(folder_) / kResultsName).string()));
   SampleCheck check(folder_);
   std::size_t taken = 0;
-  for (const Record &base : *records) {
+  for (const Record &base : records) {
     const auto findings = findings_.find(base.cell);
     if (findings == findings_.end() || findings->second.seconds.empty())
       continue;
     Record record = makeRecord(base, findings->second);
     if (!findings->second.hits.empty()) {
-      const auto hits = readHits(findings->second.hits);
-      if (!hits)
-        return hits.error();
-      if (Expected<void> added = check.add(record, *hits); !added)
-        return added;
+      const auto hits = VOXC_TRY(readHits(findings->second.hits));
+      VOXC_TRY(check.add(record, hits));
     }
     record.cell = cellDigest(record);
-    if (Expected<void> appended = writer->append(record); !appended)
-      return appended;
+    VOXC_TRY(writer.append(record));
     ++taken;
   }
   if (taken == 0)

@@ -25,8 +25,8 @@ void BenchReportCommand::declare(const CommandLine &command) {
   command.add("DIR", folders_, "Folders of records, as voxc bench writes them").required().takes("");
   command
       .add("-o,--output", output_,
-           "The page, with its figures as CSV beside it; the default is report.html in the first folder, "
-           "- standard output, without CSV")
+           "The page, with its figures as CSV beside it; the default is report.html in the first folder, - "
+           "standard output, without CSV")
       .takes("FILE");
   command.add("--note", modelNotes_, "A sentence on a model; may be given several times")
       .takes("MODEL=TEXT")
@@ -49,11 +49,9 @@ std::vector<std::string> BenchReportCommand::arguments() const {
 
 Expected<void> BenchReportCommand::run() {
   ProgressBar bar(true);
-  const auto notes = runPythonProgram("bench-report.py", arguments(), bar.progress());
-  if (!notes)
-    return notes.error();
+  const auto notes = VOXC_TRY(runPythonProgram("bench-report.py", arguments(), bar.progress()));
   if (!quiet_)
-    for (const std::string &note : *notes)
+    for (const std::string &note : notes)
       printNote(note);
   return {};
 }

@@ -98,10 +98,8 @@ Expected<std::vector<SweepDevice>> findDevices(const std::vector<std::string> &n
   std::vector<SweepDevice> found;
   found.reserve(names.size());
   for (const std::string &name : names) {
-    const auto device = devices.open(name);
-    if (!device)
-      return device.error();
-    found.push_back({name, measure::devicePart(*device, threads)});
+    const auto device = VOXC_TRY(devices.open(name));
+    found.push_back({name, measure::devicePart(device, threads)});
   }
   return found;
 }

@@ -78,16 +78,12 @@ Expected<void> Group::prepareOne(Runner &runner, const std::string &path) {
   }
   runner.volume = volume;
   const Cell &cell = *runner.cell;
-  const auto device = devices_.open(cell.device->asked);
-  if (!device)
-    return device.error();
-  auto subject = Subject::open(*volume, cell.kernelFormat,
-                               {.device = *device,
-                                .threads = options_.threads,
-                                .order = rayOrderFrom(cell.record.rays.order.value_or(kAutoOrder))});
-  if (!subject)
-    return subject.error();
-  runner.subject = std::move(*subject);
+  const auto device = VOXC_TRY(devices_.open(cell.device->asked));
+  runner.subject =
+      VOXC_TRY(Subject::open(*volume, cell.kernelFormat,
+                             {.device = device,
+                              .threads = options_.threads,
+                              .order = rayOrderFrom(cell.record.rays.order.value_or(kAutoOrder))}));
   return {};
 }
 
@@ -95,8 +91,7 @@ Expected<void> Group::prepare(std::span<const BuiltCell> builtCells) {
   for (const BuiltCell &built : builtCells) {
     runners_.push_back({.cell = built.cell});
     Runner &runner = runners_.back();
-    if (auto recorded = recordFailure(runner, "compile", prepareOne(runner, built.volume.path)); !recorded)
-      return recorded;
+    VOXC_TRY(recordFailure(runner, "compile", prepareOne(runner, built.volume.path)));
     options_.advance();
   }
   return {};
@@ -108,8 +103,7 @@ Expected<void> Group::traceRounds() {
       if (runner.runs()) {
         Times *const times = round > 0 ? &runner.times : nullptr;
         const auto traced = runner.subject->trace(rays_.sampled.rays, times, options_.progress);
-        if (auto recorded = recordFailure(runner, "trace", traced); !recorded)
-          return recorded;
+        VOXC_TRY(recordFailure(runner, "trace", traced));
       }
       options_.advance();
     }
@@ -125,23 +119,18 @@ Expected<void> Group::examineOne(Runner &runner) const {
   if (rays_.oracle)
     runner.error = errorPart(
         compare(*rays_.oracle, sample, rays_.sampled.exact, rays_.sampled.sampleOf(subject.hits())));
-  const auto steps = subject.stepsPerRay(sample);
-  if (!steps)
-    return steps.error();
-  const auto words = subject.wordsPerRay(sample);
-  if (!words)
-    return words.error();
+  const auto steps = VOXC_TRY(subject.stepsPerRay(sample));
+  const auto words = VOXC_TRY(subject.wordsPerRay(sample));
   runner.work.rays = sample.size();
-  runner.work.stepsPerRay = *steps;
-  runner.work.wordsPerRay = *words;
+  runner.work.stepsPerRay = steps;
+  runner.work.wordsPerRay = words;
   return {};
 }
 
 Expected<void> Group::examine() {
   for (Runner &runner : runners_) {
     if (runner.runs())
-      if (auto recorded = recordFailure(runner, "trace", examineOne(runner)); !recorded)
-        return recorded;
+      VOXC_TRY(recordFailure(runner, "trace", examineOne(runner)));
     options_.advance();
   }
   return {};
@@ -198,12 +187,9 @@ std::size_t stepsOf(std::size_t cells, const MeasureOptions &options) {
 Expected<void> measure(std::span<const BuiltCell> builtCells, const GroupRays &rays,
                        const MeasureOptions &options, const std::string &picture, const Camera &camera) {
   Group group(rays, options);
-  if (auto prepared = group.prepare(builtCells); !prepared)
-    return prepared;
-  if (auto traced = group.traceRounds(); !traced)
-    return traced;
-  if (auto examined = group.examine(); !examined)
-    return examined;
+  VOXC_TRY(group.prepare(builtCells));
+  VOXC_TRY(group.traceRounds());
+  VOXC_TRY(group.examine());
   group.record();
   group.takePicture(picture, camera);
   return {};

@@ -64,13 +64,10 @@ Expected<Model> readModel(const std::string &text, const InputArguments &default
   } else {
     model.name = nameOfInput(model.input);
   }
-  if (Expected<void> parsed = parseOptions(text.substr(options), model.arguments); !parsed)
-    return parsed.error();
-  const Expected<std::string> content = contentDigest(model.input);
-  if (!content)
-    return content.error();
+  VOXC_TRY(parseOptions(text.substr(options), model.arguments));
+  const auto content = VOXC_TRY(contentDigest(model.input));
   Digest digest;
-  digest.add(*content);
+  digest.add(content);
   for (const std::string &word : toWords(model.arguments))
     digest.add(word);
   model.digest = digest.hex();

@@ -37,11 +37,10 @@ std::string_view script() { return benchFiles().front().text; }
 /// The kernel's module as bytes.
 Expected<std::string> kernelBytes(const Record &record, const Format &format) {
   const bool isLarge = record.volume.words.value_or(0) > kSegmentWords;
-  auto kernel = compileKernel(format, {.addressing = isLarge ? Addressing::Segments : Addressing::Buffer});
-  if (!kernel)
-    return kernel.error();
-  return std::string(reinterpret_cast<const char *>(kernel->spirv.data()),
-                     kernel->spirv.size() * sizeof(std::uint32_t));
+  auto kernel =
+      VOXC_TRY(compileKernel(format, {.addressing = isLarge ? Addressing::Segments : Addressing::Buffer}));
+  return std::string(reinterpret_cast<const char *>(kernel.spirv.data()),
+                     kernel.spirv.size() * sizeof(std::uint32_t));
 }
 
 bool isDigest(const std::string &text) {
@@ -69,8 +68,7 @@ Expected<void> PackWriter::addWhole(const std::string &name, std::string_view co
   if (!added_.insert(name).second)
     return {};
   if (pack_ == 0 || left_ < content.size())
-    if (Expected<void> started = startPack(); !started)
-      return started;
+    VOXC_TRY(startPack());
   left_ -= std::min<std::uint64_t>(left_, content.size());
   return writeText(pathOf(name), content);
 }
@@ -78,17 +76,13 @@ Expected<void> PackWriter::addWhole(const std::string &name, std::string_view co
 Expected<void> PackWriter::addPieces(const std::string &name, const std::string &path) {
   if (!added_.insert(name).second)
     return {};
-  const auto file = MappedFile::open(path);
-  if (!file)
-    return file.error();
-  auto bytes = file->bytes();
+  const auto file = VOXC_TRY(MappedFile::open(path));
+  auto bytes = file.bytes();
   for (unsigned piece = 1; piece == 1 || !bytes.empty(); ++piece) {
     if (pack_ == 0 || left_ == 0)
-      if (Expected<void> started = startPack(); !started)
-        return started;
+      VOXC_TRY(startPack());
     const auto part = bytes.first(std::min<std::uint64_t>(bytes.size(), left_));
-    if (Expected<void> written = writeBytes(pathOf(name + numbered(".%03u", piece)), part); !written)
-      return written;
+    VOXC_TRY(writeBytes(pathOf(name + numbered(".%03u", piece)), part));
     bytes = bytes.subspan(part.size());
     left_ -= part.size();
   }
@@ -97,21 +91,17 @@ Expected<void> PackWriter::addPieces(const std::string &name, const std::string 
 
 Expected<void> PackWriter::finish() {
   if (left_ < cells_.size() + script().size())
-    if (Expected<void> started = startPack(); !started)
-      return started;
+    VOXC_TRY(startPack());
   if (Expected<void> written = writeText(pathOf(kCells), cells_); !written)
     return written;
   return writeText(pathOf(kScript), script());
 }
 
 Expected<Format> formatOf(const Record &record) {
-  Expected<Format> format = parseFormat(record.format.name);
-  if (!format)
-    return format;
-  if (Expected<void> passed = runPasses(*format, record.format.passes); !passed)
-    return passed.error();
-  askForPrecision(*format, record.precision);
-  if (Digest().add(printIr(*format)).hex() != record.format.digest)
+  auto format = VOXC_TRY(parseFormat(record.format.name));
+  VOXC_TRY(runPasses(format, record.format.passes));
+  askForPrecision(format, record.precision);
+  if (Digest().add(printIr(format)).hex() != record.format.digest)
     return Error::input("the format of cell " + record.cell + ", " + record.format.name +
                         ", is not the one that was measured: it was given as IR, or passes have changed");
   return format;
@@ -129,30 +119,20 @@ Expected<void> packCell(const Record &record, const std::string &folder, PackWri
   if (record.rays.order && record.rays.order != "given" && record.rays.order != "binned")
     return Error::input("cell '" + record.cell + "' has rays in the order '" + *record.rays.order +
                         "'; it should be given or binned");
-  const Expected<Format> format = formatOf(record);
-  if (!format)
-    return format.error();
-  const std::string stem = cachePath(folder, record.model.digest, *format);
+  const auto format = VOXC_TRY(formatOf(record));
+  const std::string stem = cachePath(folder, record.model.digest, format);
   const std::string key = std::filesystem::path(stem).filename().string();
-  if (Expected<void> added = packs.addPieces(key + ".hvx", stem + ".hvx"); !added)
-    return added;
-  const Expected<std::string> kernel = kernelBytes(record, *format);
-  if (!kernel)
-    return kernel.error();
-  if (Expected<void> added = packs.addWhole(record.format.digest + ".spv.001", *kernel); !added)
-    return added;
+  VOXC_TRY(packs.addPieces(key + ".hvx", stem + ".hvx"));
+  const auto kernel = VOXC_TRY(kernelBytes(record, format));
+  VOXC_TRY(packs.addWhole(record.format.digest + ".spv.001", kernel));
 
   const std::string rays = rayFileName(record.rays);
   if (!rays.empty())
-    if (Expected<void> added = packs.addPieces(rays, folder + "/cache/" + rays); !added)
-      return added;
-  const auto sample = packedSample(record, folder);
-  if (!sample)
-    return sample.error();
-  const auto bytes = std::as_bytes(std::span(*sample));
+    VOXC_TRY(packs.addPieces(rays, folder + "/cache/" + rays));
+  const auto sample = VOXC_TRY(packedSample(record, folder));
+  const auto bytes = std::as_bytes(std::span(sample));
   const std::string_view content{reinterpret_cast<const char *>(bytes.data()), bytes.size()};
-  if (Expected<void> added = packs.addWhole(sampleName(record) + ".001", content); !added)
-    return added;
+  VOXC_TRY(packs.addWhole(sampleName(record) + ".001", content));
   const std::string order = record.rays.order.value_or(kAutoOrder);
   packs.addCell(record.cell + " " + key + " " + record.format.digest + " " + kindOf(record.rays) + " " +
                 record.rays.digest + " " + sizeOf(record.rays) + " " + sampleName(record) + " " + order);

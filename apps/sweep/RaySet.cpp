@@ -31,26 +31,24 @@ Expected<std::array<int, 2>> sizeOf(const std::string &text, std::array<int, 2> 
 
 Expected<RaySet> readCameraSet(const RayArguments &arguments, const std::string &name) {
   const Camera defaults;
-  const auto file = readCamera(arguments.cameraFile, name);
-  if (!file)
-    return file.error();
-  const auto size = sizeOf(arguments.size, file->size.value_or(std::array{defaults.width, defaults.height}));
+  const auto file = VOXC_TRY(readCamera(arguments.cameraFile, name));
+  const auto size = sizeOf(arguments.size, file.size.value_or(std::array{defaults.width, defaults.height}));
   if (!size)
     return size.error();
   Digest digest;
   for (const double number :
-       {file->position[0], file->position[1], file->position[2], file->pitch, file->yaw, file->fov})
+       {file.position[0], file.position[1], file.position[2], file.pitch, file.yaw, file.fov})
     digest.add(exact(number));
   RaySet set;
   set.part = measure::cameraPart(name, *size, digest);
   set.cameraText = Json{{"cameras",
                          {{"camera",
-                           {{"position", {file->position.x, file->position.y, file->position.z}},
-                            {"pitch", file->pitch},
-                            {"yaw", file->yaw},
-                            {"fov", file->fov}}}}}}
+                           {{"position", {file.position.x, file.position.y, file.position.z}},
+                            {"pitch", file.pitch},
+                            {"yaw", file.yaw},
+                            {"fov", file.fov}}}}}}
                        .dump();
-  set.camera = [camera = *file, size = *size](Int3 extent) {
+  set.camera = [camera = file, size = *size](Int3 extent) {
     return cameraFromAngles(extent, camera.position, camera.pitch, camera.yaw, camera.fov, size[0], size[1]);
   };
   return set;
@@ -69,21 +67,17 @@ Expected<RaySet> makeOverview(const RayArguments &arguments) {
 }
 
 Expected<RaySet> readRayFile(const std::string &path) {
-  auto rays = readRays(path);
-  if (!rays)
-    return rays.error();
-  if (rays->empty())
+  auto rays = VOXC_TRY(readRays(path));
+  if (rays.empty())
     return Error::input("ray file '" + path + "' is empty; it should hold one ray at least");
-  return makeRaySet(std::filesystem::path(path).stem().string(), std::move(*rays));
+  return makeRaySet(std::filesystem::path(path).stem().string(), std::move(rays));
 }
 
 Expected<std::vector<std::string>> chooseCameras(const RayArguments &arguments, const std::string &model) {
-  auto names = cameraNames(arguments.cameraFile);
-  if (!names)
-    return names;
-  if (std::ranges::find(*names, model) != names->end())
+  auto names = VOXC_TRY(cameraNames(arguments.cameraFile));
+  if (std::ranges::find(names, model) != names.end())
     return std::vector{model};
-  if (names->empty())
+  if (names.empty())
     return Error::input(arguments.cameraFile + " has no cameras; it should have one at least");
   return names;
 }
@@ -127,11 +121,8 @@ Expected<std::vector<Ray>> keptRays(const RaysPart &part, const std::string &fol
     return readRays(path);
   const auto size = *part.size;
   const RayArguments arguments{path, std::to_string(size[0]) + "x" + std::to_string(size[1]), {}, kAutoOrder};
-  const Expected<RaySet> set =
-      kind == kOverview ? makeOverview(arguments) : readCameraSet(arguments, "camera");
-  if (!set)
-    return set.error();
-  return set->raysFor(extent);
+  const auto set = VOXC_TRY(kind == kOverview ? makeOverview(arguments) : readCameraSet(arguments, "camera"));
+  return set.raysFor(extent);
 }
 
 Expected<std::vector<RaySet>> readRaySets(const RayArguments &arguments, const std::string &model) {
@@ -144,19 +135,14 @@ Expected<std::vector<RaySet>> readRaySets(const RayArguments &arguments, const s
     return {};
   };
   if (!arguments.cameraFile.empty()) {
-    const auto names = chooseCameras(arguments, model);
-    if (!names)
-      return names.error();
-    for (const std::string &name : *names)
-      if (Expected<void> added = add(readCameraSet(arguments, name)); !added)
-        return added.error();
+    const auto names = VOXC_TRY(chooseCameras(arguments, model));
+    for (const std::string &name : names)
+      VOXC_TRY(add(readCameraSet(arguments, name)));
   } else if (arguments.rayFiles.empty()) {
-    if (Expected<void> added = add(makeOverview(arguments)); !added)
-      return added.error();
+    VOXC_TRY(add(makeOverview(arguments)));
   }
   for (const std::string &path : arguments.rayFiles)
-    if (Expected<void> added = add(readRayFile(path)); !added)
-      return added.error();
+    VOXC_TRY(add(readRayFile(path)));
   return sets;
 }
 

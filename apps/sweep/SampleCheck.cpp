@@ -32,49 +32,35 @@ std::string sampleName(const Record &record) {
 }
 
 Expected<std::vector<Ray>> packedSample(const Record &record, const std::string &folder) {
-  auto rays = keptRays(record.rays, folder + "/cache", extentOf(record));
-  if (!rays)
-    return rays;
-  return sampleRays(std::move(*rays), kSampleRays).sample;
+  auto rays = VOXC_TRY(keptRays(record.rays, folder + "/cache", extentOf(record)));
+  return sampleRays(std::move(rays), kSampleRays).sample;
 }
 
 Expected<const Oracle *> SampleCheck::oracleOf(const Record &record) {
   const std::string voxels = voxelsOf(record);
   auto known = oracles_.find(voxels);
   if (known == oracles_.end()) {
-    const Expected<Format> format = formatOf(record);
-    if (!format)
-      return format.error();
-    const Expected<Volume> volume =
-        Volume::load(cachePath(folder_, record.model.digest, *format) + ".hvx", {.trusted = true});
-    if (!volume)
-      return volume.error();
-    Expected<Oracle> oracle = Oracle::of(*volume);
-    if (!oracle)
-      return oracle.error();
-    known = oracles_.emplace(voxels, std::move(*oracle)).first;
+    const auto format = VOXC_TRY(formatOf(record));
+    const auto volume =
+        VOXC_TRY(Volume::load(cachePath(folder_, record.model.digest, format) + ".hvx", {.trusted = true}));
+    auto oracle = VOXC_TRY(Oracle::of(volume));
+    known = oracles_.emplace(voxels, std::move(oracle)).first;
   }
   return &known->second;
 }
 
 Expected<void> SampleCheck::add(Record &record, std::span<const Hit> hits) {
-  const auto oracle = oracleOf(record);
-  if (!oracle)
-    return oracle.error();
+  const auto oracle = VOXC_TRY(oracleOf(record));
   Known &known = samples_[sampleName(record)];
   if (known.rays.empty()) {
-    auto rays = packedSample(record, folder_);
-    if (!rays)
-      return rays.error();
-    auto exact = (*oracle)->trace(*rays);
-    if (!exact)
-      return exact.error();
-    known = {std::move(*rays), std::move(*exact)};
+    auto rays = VOXC_TRY(packedSample(record, folder_));
+    auto exact = VOXC_TRY(oracle->trace(rays));
+    known = {std::move(rays), std::move(exact)};
   }
   if (hits.size() != known.rays.size())
     return Error::input("there are " + std::to_string(hits.size()) + " hits of cell " + record.cell +
                         ", but " + std::to_string(known.rays.size()) + " rays in its sample");
-  record.error = errorPart(compare(**oracle, known.rays, known.exact, hits));
+  record.error = errorPart(compare(*oracle, known.rays, known.exact, hits));
   record.work.rays = hits.size();
   record.work.stepsPerRay = meanSteps(hits);
   return {};

@@ -12,18 +12,12 @@ namespace voxc::tool::bench {
 namespace fs = std::filesystem;
 
 Expected<SharedSweep> SharedSweep::open(SharedCells cells, SharedSweepOptions options) {
-  auto results = RecordWriter::open(options.folder + "/" + kResultsName);
-  if (!results)
-    return results.error();
-  SharedSweep sweep(std::move(cells), std::move(options), std::move(*results));
+  auto results = VOXC_TRY(RecordWriter::open(options.folder + "/" + kResultsName));
+  SharedSweep sweep(std::move(cells), std::move(options), std::move(results));
   // Those of this very sweep may be written to at this moment, and hold what it need not measure again.
   const std::string own = shareFileEnding(sweep.cells_.digest, sweep.cells_.count);
-  if (Expected<void> joined = joinShares(sweep.options_.folder, own, sweep.results_); !joined)
-    return joined.error();
-  auto kept = sweep.finished();
-  if (!kept)
-    return kept.error();
-  sweep.kept_ = std::move(*kept);
+  VOXC_TRY(joinShares(sweep.options_.folder, own, sweep.results_));
+  sweep.kept_ = VOXC_TRY(sweep.finished());
   return sweep;
 }
 
@@ -40,10 +34,8 @@ void SharedSweep::add(const Record &record, Records &records) const {
 
 Expected<SharedSweep::Records> SharedSweep::finished() const {
   Records records;
-  const auto all = readRecords(options_.folder);
-  if (!all)
-    return all.error();
-  for (const Record &record : *all)
+  const auto all = VOXC_TRY(readRecords(options_.folder));
+  for (const Record &record : all)
     if (record.isMeasured() ? !options_.again : !options_.retry)
       add(record, records);
   if (!options_.again && !options_.retry)
@@ -51,22 +43,18 @@ Expected<SharedSweep::Records> SharedSweep::finished() const {
   // What this sweep's shares found counts in any case.
   for (std::uint64_t index = 0; index < cells_.count; ++index) {
     const std::string path = options_.folder + "/" + shareFileName(cells_.digest, {index, cells_.count});
-    const auto found = readRecordFile(path);
-    if (!found)
-      return found.error();
-    for (const Record &record : *found)
+    const auto found = VOXC_TRY(readRecordFile(path));
+    for (const Record &record : found)
       add(record, records);
   }
   return records;
 }
 
 Expected<Jobs::Missing> SharedSweep::missing() const {
-  const auto known = finished();
-  if (!known)
-    return known.error();
+  const auto known = VOXC_TRY(finished());
   std::set<std::uint64_t> left;
   for (std::size_t i = 0; i < cells_.cells.size(); ++i)
-    if (!known->contains(cells_.cells[i]))
+    if (!known.contains(cells_.cells[i]))
       left.insert(cells_.shares[i]);
   return Missing{{left.begin(), left.end()}};
 }
@@ -93,13 +81,10 @@ std::string SharedSweep::name() const {
 }
 
 Expected<std::vector<SharedSweep::Found>> SharedSweep::join() {
-  if (Expected<void> joined = joinShares(options_.folder, "", results_); !joined)
-    return joined.error();
-  const auto all = readRecords(options_.folder);
-  if (!all)
-    return all.error();
+  VOXC_TRY(joinShares(options_.folder, "", results_));
+  const auto all = VOXC_TRY(readRecords(options_.folder));
   Records records;
-  for (const Record &record : *all)
+  for (const Record &record : all)
     add(record, records);
   std::vector<Found> found;
   found.reserve(cells_.cells.size());
@@ -111,14 +96,10 @@ Expected<std::vector<SharedSweep::Found>> SharedSweep::join() {
 Expected<std::vector<SharedSweep::Found>> measureInShares(SharedCells cells, SharedSweepOptions options,
                                                           const ShareOptions &how, unsigned threads,
                                                           const JobWatch &watch, Json &figures) {
-  auto sweep = SharedSweep::open(std::move(cells), std::move(options));
-  if (!sweep)
-    return sweep.error();
-  if (Expected<void> made = makeOutputFolder(sweep->folder()); !made)
-    return made.error();
-  if (auto done = how.jobs().run(*sweep, threads, watch, figures); !done)
-    return done.error();
-  return how.jobs().waits() ? sweep->join() : std::vector<SharedSweep::Found>();
+  auto sweep = VOXC_TRY(SharedSweep::open(std::move(cells), std::move(options)));
+  VOXC_TRY(makeOutputFolder(sweep.folder()));
+  VOXC_TRY(how.jobs().run(sweep, threads, watch, figures));
+  return how.jobs().waits() ? sweep.join() : std::vector<SharedSweep::Found>();
 }
 
 } // namespace voxc::tool::bench

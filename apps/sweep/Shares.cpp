@@ -81,8 +81,7 @@ Expected<void> joinShares(const std::string &folder, const std::string &but, Rec
     return Error::input("folder '" + folder + "' cannot be read: " + failure.message());
   std::ranges::sort(paths);
   for (const std::string &path : paths)
-    if (Expected<void> taken = results.take(path); !taken)
-      return taken;
+    VOXC_TRY(results.take(path));
   return {};
 }
 

@@ -121,10 +121,9 @@ void printSummary(const std::vector<Cell> &cells) {
       failed += !record->isMeasured();
     }
   }
-  std::printf(
-      "\n%zu cells, of which %zu failed; speeds are medians; = as fast as the first within the spread, ! not "
-      "steady\n",
-      cells.size(), failed);
+  std::printf("\n%zu cells, of which %zu failed; speeds are medians; = as fast as the first within the "
+              "spread, ! not steady\n",
+              cells.size(), failed);
 }
 
 } // namespace voxc::tool::bench

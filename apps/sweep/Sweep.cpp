@@ -91,27 +91,18 @@ Camera pictureCamera(const SweepModel &model, Int3 extent) {
 
 Expected<Sweep> Sweep::open(const SweepAxes &axes, std::vector<Cell> cells, SweepOptions options) {
   for (const char *below : {"cache", "pictures"})
-    if (Expected<void> made = makeOutputFolder(options.folder + "/" + below); !made)
-      return made.error();
+    VOXC_TRY(makeOutputFolder(options.folder + "/" + below));
   for (const SweepModel &model : axes.models)
     for (const RaySet &rays : model.rays)
-      if (Expected<void> kept = keepRays(rays, options.folder + "/cache"); !kept)
-        return kept.error();
+      VOXC_TRY(keepRays(rays, options.folder + "/cache"));
   const std::string path = options.folder + "/" + options.records;
   const bool isShare = options.records != kResultsName;
-  auto writer = RecordWriter::open(path);
-  if (!writer)
-    return writer.error();
-  if (Expected<void> joined = isShare ? Expected<void>() : joinShares(options.folder, "", *writer); !joined)
-    return joined.error();
-  const auto records = readRecords(options.folder);
-  if (!records)
-    return records.error();
-  const auto own = isShare ? readRecordFile(path) : std::vector<Record>();
-  if (!own)
-    return own.error();
-  Sweep sweep(axes, std::move(cells), std::move(options), std::move(*writer));
-  sweep.takeKnown(*records, *own);
+  auto writer = VOXC_TRY(RecordWriter::open(path));
+  VOXC_TRY(isShare ? Expected<void>() : joinShares(options.folder, "", writer));
+  const auto records = VOXC_TRY(readRecords(options.folder));
+  const auto own = VOXC_TRY(isShare ? readRecordFile(path) : std::vector<Record>());
+  Sweep sweep(axes, std::move(cells), std::move(options), std::move(writer));
+  sweep.takeKnown(records, own);
   return sweep;
 }
 
@@ -156,8 +147,7 @@ Expected<void> Sweep::finish(Cell &cell) {
 Expected<void> Sweep::fail(std::span<Cell *const> cells, const Failure &failure) {
   for (Cell *cell : cells) {
     cell->record.failure = failure;
-    if (Expected<void> finished = finish(*cell); !finished)
-      return finished;
+    VOXC_TRY(finish(*cell));
   }
   advance(double(stepsOf(cells.size(), options_.measure)));
   return {};
@@ -172,19 +162,15 @@ Expected<void> Sweep::run(const Progress &progress) {
       if (const auto pending = pendingOf(model, format); !pending.empty())
         allSteps_ += kStepsOfBuild + double(stepsOf(pending.size(), options_.measure));
   for (const SweepModel &model : axes_->models)
-    if (Expected<void> done = runModel(model); !done)
-      return done;
+    VOXC_TRY(runModel(model));
   return {};
 }
 
 Expected<void> Sweep::runModel(const SweepModel &model) {
-  auto ready = buildModel(model);
-  if (!ready)
-    return ready.error();
+  auto ready = VOXC_TRY(buildModel(model));
   oracles_.clear();
-  for (Ready &set : *ready)
-    if (Expected<void> measured = measureAll(model, set); !measured)
-      return measured;
+  for (Ready &set : ready)
+    VOXC_TRY(measureAll(model, set));
   return {};
 }
 
@@ -200,16 +186,13 @@ Expected<std::vector<Sweep::Ready>> Sweep::buildModel(const SweepModel &model) {
     const std::vector<Cell *> pending = pendingOf(model, format);
     if (pending.empty())
       continue;
-    auto outcome = buildFormat(model, format);
-    if (!outcome)
-      return outcome.error();
+    auto outcome = VOXC_TRY(buildFormat(model, format));
     advance(kStepsOfBuild);
-    if (const auto *failure = std::get_if<Failure>(&*outcome)) {
-      if (Expected<void> failed = fail(pending, *failure); !failed)
-        return failed.error();
+    if (const auto *failure = std::get_if<Failure>(&outcome)) {
+      VOXC_TRY(fail(pending, *failure));
       continue;
     }
-    const auto &volume = std::get<CachedVolume>(*outcome);
+    const auto &volume = std::get<CachedVolume>(outcome);
     const Int3 extent = extentOf(volume);
     for (Cell *cell : pending) {
       addBuild(volume, cell->record);
@@ -271,8 +254,7 @@ Expected<void> Sweep::measureAll(const SweepModel &model, Ready &ready) {
   if (!rays.sampled.sample.empty())
     askOracle(ready, rays);
   for (const std::span<const BuiltCell> group : groupsOf(ready, rays.sampled.rays.size()))
-    if (Expected<void> measured = measureGroup(model, ready, group, rays); !measured)
-      return measured;
+    VOXC_TRY(measureGroup(model, ready, group, rays));
   return {};
 }
 
@@ -288,8 +270,7 @@ Expected<void> Sweep::measureGroup(const SweepModel &model, const Ready &ready,
   for (const BuiltCell &built : group) {
     if (fs::exists(path, ignored))
       built.cell->record.model.picture = picture;
-    if (Expected<void> finished = finish(*built.cell); !finished)
-      return finished;
+    VOXC_TRY(finish(*built.cell));
   }
   return {};
 }

@@ -50,8 +50,8 @@ void SweepArguments::declareAxes(const CommandLine &command) {
       .takes("LIST");
   command
       .add("--passes", passes_,
-           "Passes to run on every format, in any order, or none; given several times, formats are "
-           "measured with each")
+           "Passes to run on every format, in any order, or none; given several times, formats are measured "
+           "with each")
       .repeated()
       .takes("A,B");
   command.add("--precisions", precisions_, "Precisions, separated by commas")
@@ -68,8 +68,8 @@ void SweepArguments::declareAxes(const CommandLine &command) {
       .takes("A,B");
   command
       .add("--cameras", rays_.cameraFile,
-           "A camera file: its camera of a model's name, or all if there is none; default: one that sees "
-           "the whole volume")
+           "A camera file: its camera of a model's name, or all if there is none; default: one that sees the "
+           "whole volume")
       .takes("FILE");
   command
       .add("--size", rays_.size, "Pixels of the cameras' pictures; default: the camera file's, or 1280x720")
@@ -115,13 +115,10 @@ void SweepArguments::declare(const CommandLine &command) {
 Expected<std::vector<FormatLine>> SweepArguments::readFormats() const {
   std::vector<FormatLine> lines;
   for (const std::string &argument : formats_) {
-    const auto list = readFormatList(argument);
-    if (!list)
-      return list;
-    lines.insert(lines.end(), list->begin(), list->end());
+    const auto list = VOXC_TRY(readFormatList(argument));
+    lines.insert(lines.end(), list.begin(), list.end());
   }
-  if (const Expected<void> checked = checkFormats(lines); !checked)
-    return checked.error();
+  VOXC_TRY(checkFormats(lines));
   return lines;
 }
 
@@ -140,15 +137,11 @@ Expected<std::vector<SweepModel>> SweepArguments::readModels() const {
   std::vector<SweepModel> models;
   std::set<std::string> names;
   for (const std::string &input : inputs_) {
-    auto model = readModel(input, inputArguments_);
-    if (!model)
-      return model.error();
-    if (!names.insert(model->name).second)
-      return Error::usage("two inputs have the name '" + model->name + "'; write NAME=INPUT for one of them");
-    auto rays = readRaySets(rays_, model->name);
-    if (!rays)
-      return rays.error();
-    models.push_back({std::move(*model), std::move(*rays)});
+    auto model = VOXC_TRY(readModel(input, inputArguments_));
+    if (!names.insert(model.name).second)
+      return Error::usage("two inputs have the name '" + model.name + "'; write NAME=INPUT for one of them");
+    auto rays = VOXC_TRY(readRaySets(rays_, model.name));
+    models.push_back({std::move(model), std::move(rays)});
   }
   return models;
 }
@@ -165,19 +158,11 @@ Expected<std::vector<SweepDevice>> SweepArguments::readDevices(bool namesAlone) 
 }
 
 Expected<SweepAxes> SweepArguments::readAxes(bool namesAlone) const {
-  const auto lines = readFormats();
-  if (!lines)
-    return lines.error();
-  auto formats = makeFormats(*lines, passLists());
-  if (!formats)
-    return formats.error();
-  auto models = readModels();
-  if (!models)
-    return models.error();
-  auto devices = readDevices(namesAlone);
-  if (!devices)
-    return devices.error();
-  return SweepAxes{std::move(*models), std::move(*formats), precisions_, std::move(*devices)};
+  const auto lines = VOXC_TRY(readFormats());
+  auto formats = VOXC_TRY(makeFormats(lines, passLists()));
+  auto models = VOXC_TRY(readModels());
+  auto devices = VOXC_TRY(readDevices(namesAlone));
+  return SweepAxes{std::move(models), std::move(formats), precisions_, std::move(devices)};
 }
 
 SweepOptions SweepArguments::options(const std::string &folder) const {

@@ -77,8 +77,7 @@ Expected<VolumeCache::Outcome> VolumeCache::get(const Model &model, const Format
   auto figures = readFigures(stem + kFiguresEnding);
   const Count words = wordsIn(figures);
   if (!words || !fs::exists(stem + kVolumeEnding, ignored)) {
-    if (Expected<void> written = writeText(stem + kFormatEnding, storage); !written)
-      return written.error();
+    VOXC_TRY(writeText(stem + kFormatEnding, storage));
     return build(model, key, progress, poll);
   }
   if (*words > maxWords())

@@ -69,13 +69,9 @@ Expected<std::shared_ptr<const Volume>> copyUnder(const Brush &brush, Int3 at, c
   while (1 << log2Side < brush.side())
     ++log2Side;
   auto constructor =
-      Constructor::compile(*parseFormat("G(" + std::to_string(log2Side) + ")"), compileCache());
-  if (!constructor)
-    return constructor.error();
-  auto built = constructor->build(*source);
-  if (!built)
-    return built.error();
-  return built->report.voxels == 0 ? nullptr : std::make_shared<const Volume>(std::move(built->volume));
+      VOXC_TRY(Constructor::compile(*parseFormat("G(" + std::to_string(log2Side) + ")"), compileCache()));
+  auto built = VOXC_TRY(constructor.build(*source));
+  return built.report.voxels == 0 ? nullptr : std::make_shared<const Volume>(std::move(built.volume));
 }
 
 } // namespace voxc::view

@@ -25,10 +25,8 @@ Expected<std::vector<Aimed>> aim(const Shot &shot, const std::vector<Deed> &deed
     aimed.push_back({*stroke, {{-1, -1, -1}, 0, 0, 0}});
     if (!isInside)
       continue;
-    const auto picked = pick(shot, stroke->column, stroke->row);
-    if (!picked)
-      return picked.error();
-    aimed.back().hit = picked->hit;
+    const auto picked = VOXC_TRY(pick(shot, stroke->column, stroke->row));
+    aimed.back().hit = picked.hit;
   }
   return aimed;
 }
@@ -52,14 +50,11 @@ Expected<Carving> carve(Scene &scene, const Shot &shot) {
     return Error::usage("a volume in pages cannot be edited; open it without --device-memory");
   Sculpture &sculpture = *scene.sculpture;
   const std::vector<Deed> deeds = sculpture.takeDeeds();
-  if (auto prepared = sculpture.prepare(); !prepared)
-    return prepared.error();
-  const auto aimed = aim(shot, deeds);
-  if (!aimed)
-    return aimed.error();
+  VOXC_TRY(sculpture.prepare());
+  const auto aimed = VOXC_TRY(aim(shot, deeds));
   Carving carving;
   std::optional<Error> failure;
-  auto next = aimed->begin();
+  auto next = aimed.begin();
   for (const Deed &deed : deeds) {
     if (std::holds_alternative<Undo>(deed))
       carving.isChanged |= sculpture.undo();
@@ -71,14 +66,12 @@ Expected<Carving> carve(Scene &scene, const Shot &shot) {
       if (auto pressed = press(sculpture, *next++, carving); !pressed && !failure)
         failure = pressed.error();
   }
-  const auto shown = sculpture.show(*scene.tracer);
-  if (!shown)
-    return shown.error();
+  const auto shown = VOXC_TRY(sculpture.show(*scene.tracer));
   if (failure)
     return *failure;
   if (carving.isChanged)
     scene.normals = std::make_unique<SurfaceNormals>(*sculpture.volume(), scene.threads);
-  carving.copiedBytes = shown->copiedBytes;
+  carving.copiedBytes = shown.copiedBytes;
   carving.voxels = sculpture.volume()->info().voxels;
   carving.bytes = sculpture.volume()->bytes();
   return carving;

@@ -123,11 +123,8 @@ std::string spelledText(std::string_view text) {
 }
 
 Expected<Format> readFormatText(const FormatText &text) {
-  Expected<Format> format = parseFormat(text.format);
-  if (!format)
-    return format;
-  if (Expected<void> passed = runPasses(*format, text.passes); !passed)
-    return passed.error();
+  auto format = VOXC_TRY(parseFormat(text.format));
+  VOXC_TRY(runPasses(format, text.passes));
   return format;
 }
 

@@ -44,10 +44,8 @@ Expected<CheckedHit> OracleCheck::answer(const Pick &pick, const std::atomic<boo
     return Error::usage(describe(pick.hit) + "; no oracle has a volume in pages");
   if (const auto volume = pick.shot.scene->frozen(); volume_ != volume) {
     oracle_.reset();
-    Expected<Oracle> oracle = Oracle::of(*volume, {.stop = &stop});
-    if (!oracle)
-      return oracle.error();
-    oracle_.emplace(std::move(*oracle));
+    auto oracle = VOXC_TRY(Oracle::of(*volume, {.stop = &stop}));
+    oracle_.emplace(std::move(oracle));
     volume_ = volume;
   }
   const Explanation explanation = oracle_->explain(pick.ray.ray(), kMostCells, pick.ray.bounds());

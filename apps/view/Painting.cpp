@@ -48,18 +48,16 @@ Expected<Picture> paint(const Shot &shot, const RefinementStep &step, const Prog
   options.threads = scene->threads;
   options.clip = look.clip.cutsNothing() ? nullptr : &look.clip;
   options.progress = progress;
-  Expected<Rendering> rendering = render(*scene->volume(), small, {trace, trace}, options);
-  if (!rendering)
-    return rendering.error();
+  auto rendering = VOXC_TRY(render(*scene->volume(), small, {trace, trace}, options));
   const StyleKind &kind = kindOf(look.style);
   if (!kind.unit.empty()) {
-    const auto values = enlarge<float>(small, camera, [&](std::size_t i) { return rendering->light[4 * i]; });
+    const auto values = enlarge<float>(small, camera, [&](std::size_t i) { return rendering.light[4 * i]; });
     return mapPicture(values, camera.width, camera.height, kind.unit, look.style == Style::Depth);
   }
   if (step.divisor == 1)
-    return std::move(rendering->picture);
+    return std::move(rendering.picture);
   auto pixels =
-      enlarge<std::uint32_t>(small, camera, [&](std::size_t i) { return rendering->picture.pixels[i]; });
+      enlarge<std::uint32_t>(small, camera, [&](std::size_t i) { return rendering.picture.pixels[i]; });
   return Picture{camera.width, camera.height, std::move(pixels)};
 }
 

@@ -39,26 +39,21 @@ Expected<std::shared_ptr<Scene>> makeScene(const SceneMaker &maker, const SceneW
     return Error::usage(
         "the volume was edited in the format that is shown; undo all strokes (Z) to load another");
   } else {
-    Expected<Model> model = maker.makeModel(wish.format, progress);
-    if (!model)
-      return model.error();
-    scene->model = std::move(*model);
+    scene->model = VOXC_TRY(maker.makeModel(wish.format, progress));
   }
   if (progress.stopped())
     return Error::interrupted();
   progress.at("compile the kernel", 0);
   scene->device = wish.device;
-  auto tracers = maker.makeTracers(scene->model, scene->device);
-  if (!tracers)
-    return tracers.error();
+  auto tracers = VOXC_TRY(maker.makeTracers(scene->model, scene->device));
   // This processor ends by itself as soon as it is told to.
   const bool endsLate = scene->device != cpuDeviceInfo().name;
-  scene->tracer = endsLate ? inSlices(std::move(tracers->tracer), kSlice) : std::move(tracers->tracer);
-  scene->paging = std::move(tracers->paging);
-  scene->prefetch = prefetchScene(scene->model, *tracers);
+  scene->tracer = endsLate ? inSlices(std::move(tracers.tracer), kSlice) : std::move(tracers.tracer);
+  scene->paging = std::move(tracers.paging);
+  scene->prefetch = prefetchScene(scene->model, tracers);
   if (scene->model.pagedBytes == 0)
     scene->sculpture = std::make_unique<Sculpture>(scene->model.volume);
-  scene->normals = normalsOf(scene->model, *tracers, maker.threads);
+  scene->normals = normalsOf(scene->model, tracers, maker.threads);
   scene->threads = maker.threads;
   return scene;
 }

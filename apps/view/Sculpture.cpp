@@ -27,10 +27,8 @@ Expected<void> Sculpture::prepare() {
   if (edited_)
     return {};
   // Strokes are few beside the scene: to go through all of it would keep the first one waiting.
-  auto edited = EditableVolume::create(*first_, {.cache = compileCache(), .shareWithFirst = false});
-  if (!edited)
-    return edited.error();
-  edited_.emplace(std::move(*edited));
+  auto edited = VOXC_TRY(EditableVolume::create(*first_, {.cache = compileCache(), .shareWithFirst = false}));
+  edited_.emplace(std::move(edited));
   frames_ = edited_->frames();
   return {};
 }
@@ -109,10 +107,8 @@ Expected<std::shared_ptr<const Volume>> Sculpture::frozenFrames() const {
   const std::lock_guard lock(mutex_);
   if (frameCount_ < 2 || !edited_)
     return frameCount_ < 2 ? nullptr : first_;
-  auto framed = edited_->framed(framesNow());
-  if (!framed)
-    return framed.error();
-  return std::make_shared<const Volume>(std::move(*framed));
+  auto framed = VOXC_TRY(edited_->framed(framesNow()));
+  return std::make_shared<const Volume>(std::move(framed));
 }
 
 } // namespace voxc::view

@@ -3,8 +3,6 @@
 
 #include <glm/geometric.hpp>
 
-#include <algorithm>
-
 namespace voxc::view {
 namespace {
 

@@ -91,10 +91,8 @@ SearchPoints makeSearchPoints(std::span<const Record> records) {
 }
 
 Expected<SearchPoints> readSearchPoints(const std::string &folder) {
-  const auto records = measure::readRecords(folder);
-  if (!records)
-    return records.error();
-  SearchPoints points = makeSearchPoints(*records);
+  const auto records = VOXC_TRY(measure::readRecords(folder));
+  SearchPoints points = makeSearchPoints(records);
   if (points.points.empty())
     return Error::input(folder +
                         " has no record of a format that was measured; give a folder that voxc search wrote");

@@ -26,14 +26,12 @@ public:
         return Error::interrupted();
       const std::size_t count = std::min(slice_, rays.size() - first);
       const Stopwatch watch;
-      const Expected<TraceReport> report =
-          tracer_->trace(rays.subspan(first, count), hits.subspan(first, count), options);
-      if (!report)
-        return report;
+      const auto report =
+          VOXC_TRY(tracer_->trace(rays.subspan(first, count), hits.subspan(first, count), options));
       if (count == slice_)
         slice_ = std::clamp(std::size_t(double(count) * seconds_ / std::max(watch.seconds(), 1e-6)), kLeast,
                             kMost);
-      add(*report, all);
+      add(report, all);
       first += count;
     } while (first < rays.size());
     return all;

@@ -9,7 +9,6 @@
 #include <glm/vector_relational.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 namespace voxc::view {

@@ -10,14 +10,12 @@ namespace {
 
 /// The file that a build of the voxels makes.
 Expected<void> buildFile(const std::shared_ptr<const Volume> &volume, const std::string &path) {
-  const auto constructor = Constructor::compile(volume->format(), compileCache());
-  if (!constructor)
-    return constructor.error();
+  const auto constructor = VOXC_TRY(Constructor::compile(volume->format(), compileCache()));
   BuildOptions options;
   options.provenance = volume->info().provenance;
   options.path = path;
   const auto source = makeVolumeSource(volume);
-  const auto built = constructor->build(*source, options);
+  const auto built = constructor.build(*source, options);
   return built ? Expected<void>() : built.error();
 }
 

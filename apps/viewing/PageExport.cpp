@@ -50,8 +50,7 @@ Expected<std::vector<Hit>> hitsOf(const Volume &volume, std::string_view precisi
   TraceSession tracing;
   tracing.choose(cpuDeviceInfo().name, 0);
   Json unused;
-  if (Expected<void> prepared = tracing.prepare(volume, format, unused); !prepared)
-    return prepared.error();
+  VOXC_TRY(tracing.prepare(volume, format, unused));
   std::vector<Hit> hits(rays.size());
   if (Expected<TraceReport> traced = tracing.trace(rays, hits, {}); !traced)
     return traced.error();
@@ -61,25 +60,16 @@ Expected<std::vector<Hit>> hitsOf(const Volume &volume, std::string_view precisi
 /// What the exact hits of rays tell the page.
 Expected<void> measure(const Volume &volume, const Progress &progress, page::PageContents &contents) {
   const std::vector<Ray> rays = page::checkRays(volume.info().extent, kMeasured);
-  const Expected<Oracle> oracle = Oracle::of(volume, progress);
-  if (!oracle)
-    return oracle.error();
-  const Expected<std::vector<Hit>> exact = oracle->trace(rays, 0, progress);
-  if (!exact)
-    return exact.error();
-  const Expected<std::vector<Hit>> fast = hitsOf(volume, "fast", rays);
-  if (!fast)
-    return fast.error();
-  contents.fast = compare(*oracle, rays, *exact, *fast);
+  const auto oracle = VOXC_TRY(Oracle::of(volume, progress));
+  const auto exact = VOXC_TRY(oracle.trace(rays, 0, progress));
+  const auto fast = VOXC_TRY(hitsOf(volume, "fast", rays));
+  contents.fast = compare(oracle, rays, exact, fast);
   const std::vector<Ray> checked = contents.streamed ? page::pictureRays(contents.streamed->view, kChecked)
                                                      : page::checkRays(volume.info().extent, kChecked);
   const std::vector<BoundedRay> kept =
       contents.clip.cutsNothing() ? std::vector<BoundedRay>() : contents.clip.bounded(checked, 0);
-  const Expected<std::vector<Hit>> seen =
-      oracle->trace(kept.empty() ? RaySpan(checked) : RaySpan(kept), 0, progress);
-  if (!seen)
-    return seen.error();
-  contents.checks = page::digestsOf(*seen);
+  const auto seen = VOXC_TRY(oracle.trace(kept.empty() ? RaySpan(checked) : RaySpan(kept), 0, progress));
+  contents.checks = page::digestsOf(seen);
   return {};
 }
 
@@ -91,15 +81,12 @@ Expected<TakenPicture> takePoster(const PictureOptions &options, const Volume &v
     askForBounds(format);
   TraceSession tracing;
   tracing.choose(cpuDeviceInfo().name, 0);
-  if (Expected<void> prepared = tracing.prepare(volume, format, figures); !prepared)
-    return prepared.error();
+  VOXC_TRY(tracing.prepare(volume, format, figures));
   PictureRays rays(tracing, 0, clip);
-  const Expected<PlacedCamera> placed = rays.findCamera(options, volume);
-  if (!placed)
-    return placed.error();
+  const auto placed = VOXC_TRY(rays.findCamera(options, volume));
   RenderOptions rendering = renderOptions(options, volume);
   rendering.progress = progress;
-  return rays.take(volume, *placed, rendering);
+  return rays.take(volume, placed, rendering);
 }
 
 class PageExport final : public PageWriter {
@@ -130,12 +117,12 @@ bool PageExport::isPage(const std::string &path) const {
 void PageExport::declare(const CommandLine &command) {
   command.add("--title", title_, "What a page is called; the default is the name of the volume's file")
       .takes("TEXT");
-  const Option url = command
-                         .add("--url", url_,
-                              "The page holds no words, but reads pages of the volume, which was stored with "
-                              "--compress, when "
-                              "rays need them: from this file beside it, or this address, by HTTP ranges")
-                         .takes("URL");
+  const Option url =
+      command
+          .add("--url", url_,
+               "The page holds no words, but reads pages of the volume, which was stored with --compress, "
+               "when rays need them: from this file beside it, or this address, by HTTP ranges")
+          .takes("URL");
   command
       .add("--device-memory", budget_,
            "What a page with --url keeps on the device at most: pages and their table")
@@ -157,10 +144,9 @@ bool PageExport::isGiven() const {
 
 Expected<void> PageExport::check(const std::string &path) const {
   if (!isPage(path) && isGiven())
-    return Error::usage(
-        "'" + path +
-        "' is no page; --title, --url, --sun, cuts and what says where a picture is taken from are for one, "
-        "whose name ends in .html");
+    return Error::usage("'" + path +
+                        "' is no page; --title, --url, --sun, cuts and what says where a picture is taken "
+                        "from are for one, whose name ends in .html");
   if (const Expected<Clip> clip = clipOf(clip_); !clip)
     return clip.error();
   return checkPictureOptions(picture_);
@@ -168,63 +154,49 @@ Expected<void> PageExport::check(const std::string &path) const {
 
 Expected<void> PageExport::stream(const Volume &volume, const std::string &source,
                                   page::PageContents &contents) const {
-  const Expected<PagedVolume> file = PagedVolume::open(source);
-  if (!file)
-    return file.error();
+  const auto file = VOXC_TRY(PagedVolume::open(source));
   page::StreamedVolume streamed;
   streamed.url = url_;
-  streamed.headBytes = file->headBytes();
-  streamed.fileBytes = file->fileBytes();
-  streamed.checksum = file->headChecksum();
-  streamed.pageBytes = file->streams().front().pageBytes;
+  streamed.headBytes = file.headBytes();
+  streamed.fileBytes = file.fileBytes();
+  streamed.checksum = file.headChecksum();
+  streamed.pageBytes = file.streams().front().pageBytes;
   streamed.memoryBytes = bytesOf(budget_.empty() ? kDefaultBudget : budget_);
-  if (const std::uint64_t least = leastPagingBytes(*file); streamed.memoryBytes < least)
+  if (const std::uint64_t least = leastPagingBytes(file); streamed.memoryBytes < least)
     return Error::usage("--device-memory is too small for this volume: a ray needs up to " +
                         std::to_string(least) +
                         " bytes at once; give more, or store it with smaller pages (--page-bytes)");
   streamed.view = page::viewOf(contents.camera);
-  Expected<std::vector<std::uint32_t>> first =
-      page::firstPages(volume, streamed.view, contents.clip, streamed.pageBytes);
-  if (!first)
-    return first.error();
-  streamed.first = std::move(*first);
+  streamed.first = VOXC_TRY(page::firstPages(volume, streamed.view, contents.clip, streamed.pageBytes));
   contents.streamed = std::move(streamed);
   return {};
 }
 
 Expected<void> PageExport::write(const Volume &volume, const std::string &source, const std::string &path,
                                  const Progress &progress, Json &figures) {
-  Expected<Clip> clip = clipOf(clip_, volume.info().voxelToModel);
-  if (!clip)
-    return clip.error();
+  auto clip = VOXC_TRY(clipOf(clip_, volume.info().voxelToModel));
   PictureOptions options = picture_;
   options.camera.size = kPictureSize;
-  const Expected<TakenPicture> taken = takePoster(options, volume, *clip, progress, figures);
-  if (!taken)
-    return taken.error();
-  if (!isUpright(taken->placed.camera))
+  const auto taken = VOXC_TRY(takePoster(options, volume, clip, progress, figures));
+  if (!isUpright(taken.placed.camera))
     return Error::usage("--camera \"" + options.camera.camera +
                         "\" is tilted; the way up of a page is +y, so leave out the third point");
   page::PageContents contents;
   contents.title = title_.empty() ? std::filesystem::path(source).stem().string() : title_;
-  contents.camera = taken->placed.camera;
-  contents.clip = page::scaled(std::move(*clip));
+  contents.camera = taken.placed.camera;
+  contents.clip = page::scaled(std::move(clip));
   contents.sun = sunOf(options);
   contents.smooth = isSmoothSurface(volume.info());
-  contents.exposure = taken->rendering.exposure;
-  contents.picture = taken->rendering.picture;
+  contents.exposure = taken.rendering.exposure;
+  contents.picture = taken.rendering.picture;
   if (!url_.empty())
-    if (Expected<void> streamed = stream(volume, source, contents); !streamed)
-      return streamed;
-  if (Expected<void> measured = measure(volume, progress, contents); !measured)
-    return measured;
-  const Expected<std::string> page = page::makePage(volume, contents);
-  if (!page)
-    return page.error();
-  addCameraFigures(figures, options, taken->placed, volume);
+    VOXC_TRY(stream(volume, source, contents));
+  VOXC_TRY(measure(volume, progress, contents));
+  const auto page = VOXC_TRY(page::makePage(volume, contents));
+  addCameraFigures(figures, options, taken.placed, volume);
   figures["exposure"] = contents.exposure;
   figures["fast_error"] = errorJson(contents.fast);
-  return writeText(path, *page);
+  return writeText(path, page);
 }
 
 } // namespace

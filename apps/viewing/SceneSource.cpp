@@ -67,14 +67,13 @@ void SceneSource::declare(const CommandLine &command) {
 bool SceneSource::isVolume() const { return withoutFrame(input_).ends_with(".hvx"); }
 
 Expected<void> SceneSource::check() const {
-  if (Expected<void> checked = checkInputArguments(inputArguments_, input_); !checked)
-    return checked;
+  VOXC_TRY(checkInputArguments(inputArguments_, input_));
   if (!format_.empty())
     if (Expected<Format> format = readFormat(format_); !format)
       return format.error();
   if (memory_.isGiven() && (!isVolume() || !format_.empty()))
-    return Error::usage("--device-memory is for a volume as stored with --compress; give a .hvx file, and "
-                        "no --format");
+    return Error::usage(
+        "--device-memory is for a volume as stored with --compress; give a .hvx file, and no --format");
   if (format_.empty() && !isVolume() && !passes_.names().empty())
     return Error::usage("passes are chosen with the format; give a --format to choose them");
   if (format_.empty())
@@ -113,25 +112,19 @@ Expected<view::Model> SceneSource::makeModel(const std::string &text, const Comm
 
 Expected<view::Model> SceneSource::openPages() {
   Json figures;
-  const Expected<FramePath> named = parseFramePath(input_);
-  if (!named)
-    return named.error();
-  Expected<Volume> outline = memory_.open(named->path, named->frame, figures);
-  if (!outline)
-    return outline.error();
-  Expected<view::Model> model = modelOf(std::move(*outline));
+  const auto named = VOXC_TRY(parseFramePath(input_));
+  auto outline = VOXC_TRY(memory_.open(named.path, named.frame, figures));
+  Expected<view::Model> model = modelOf(std::move(outline));
   if (model)
     model->pagedBytes = memory_.volumeBytes();
   return model;
 }
 
 Expected<view::Model> SceneSource::loadVolume(const Progress &progress) const {
-  const Expected<FramePath> named = parseFramePath(input_);
-  if (!named)
-    return named.error();
+  const auto named = VOXC_TRY(parseFramePath(input_));
   LoadOptions options{
-      .trusted = trusted_, .threads = building_.threads, .progress = progress, .frame = named->frame};
-  Expected<Volume> volume = loadEdited(named->path, options, compileCache());
+      .trusted = trusted_, .threads = building_.threads, .progress = progress, .frame = named.frame};
+  Expected<Volume> volume = loadEdited(named.path, options, compileCache());
   return volume ? modelOf(std::move(*volume)) : Expected<view::Model>(volume.error());
 }
 
@@ -141,8 +134,7 @@ Expected<view::Model> SceneSource::modelOf(Volume volume) const {
   model.volume = std::make_shared<const Volume>(std::move(volume));
   model.format = model.volume->format();
   model.text = view::formatText(view::formatText(model.format), passes_.names());
-  if (Expected<void> passed = passes_.apply(model.format); !passed)
-    return passed.error();
+  VOXC_TRY(passes_.apply(model.format));
   return model;
 }
 
@@ -155,36 +147,27 @@ Expected<view::Model> SceneSource::suggestModel(const CommonOptions &common, con
   Json figures;
   CommonOptions quietly = common;
   quietly.quiet = true;
-  const Expected<Suggestion> suggestion = makeSuggestion(request, quietly, progress, figures);
-  if (!suggestion)
-    return suggestion.error();
-  const Candidate &candidate = suggestion->rated[suggestion->choice].candidate;
+  const auto suggestion = VOXC_TRY(makeSuggestion(request, quietly, progress, figures));
+  const Candidate &candidate = suggestion.rated[suggestion.choice].candidate;
   return buildModel(view::formatText(candidate.text, candidate.passes), progress);
 }
 
 Expected<view::Model> SceneSource::buildModel(const std::string &text, const Progress &progress) const {
-  Expected<Format> format = view::readFormatText(view::parseFormatText(text));
-  if (!format)
-    return format.error();
-  InputOptions options = makeInputOptions(inputArguments_, format->extent());
+  auto format = VOXC_TRY(view::readFormatText(view::parseFormatText(text)));
+  InputOptions options = makeInputOptions(inputArguments_, format.extent());
   options.progress = progress;
   options.memory = makeWorkingMemory(building_);
   options.threads = threadsOf(building_);
   options.boxOfAllFrames = true;
-  Expected<Input> input = openInput(input_, options);
-  if (!input)
-    return input.error();
+  auto input = VOXC_TRY(openInput(input_, options));
   BuildOptions building;
-  building.provenance = input->provenance;
+  building.provenance = input.provenance;
   building.threads = options.threads;
   building.memory = options.memory;
   building.progress = progress;
-  Expected<Volume> volume = isAnimation(*input, *format)
-                                ? buildFrames(*format, std::move(*input), options, building)
-                                : buildAlone(*format, *input->source, building);
-  if (!volume)
-    return volume.error();
-  return view::Model{std::make_shared<const Volume>(std::move(*volume)), std::move(*format),
+  auto volume = VOXC_TRY(isAnimation(input, format) ? buildFrames(format, std::move(input), options, building)
+                                                    : buildAlone(format, *input.source, building));
+  return view::Model{std::make_shared<const Volume>(std::move(volume)), std::move(format),
                      view::spelledText(text)};
 }
 
@@ -203,10 +186,8 @@ Expected<Volume> SceneSource::buildFrames(const Format &format, Input input, con
 
 Expected<Volume> SceneSource::buildAlone(const Format &format, VoxelSource &source,
                                          const BuildOptions &building) {
-  const Expected<Constructor> constructor = Constructor::compile(format);
-  if (!constructor)
-    return constructor.error();
-  Expected<Built> built = constructor->build(source, building);
+  const auto constructor = VOXC_TRY(Constructor::compile(format));
+  Expected<Built> built = constructor.build(source, building);
   return built ? Expected<Volume>(std::move(built->volume)) : built.error();
 }
 
@@ -214,8 +195,7 @@ Expected<TraceSession> SceneSource::openTracing(const std::string &device, unsig
                                                 const CommonOptions &common) const {
   TraceSession tracing;
   tracing.choose(device, threads);
-  if (Expected<void> opened = tracing.openDevice(common); !opened)
-    return opened.error();
+  VOXC_TRY(tracing.openDevice(common));
   return tracing;
 }
 
@@ -228,36 +208,30 @@ Format SceneSource::kernelFormat(const view::Model &model) const {
 
 Expected<view::Tracers> SceneSource::makeTracers(const view::Model &model, const CommonOptions &common,
                                                  std::string &device) const {
-  Expected<TraceSession> tracing = openTracing(device, building_.threads, common);
-  if (!tracing)
-    return tracing.error();
-  device = tracing->deviceInfo().name;
+  auto tracing = VOXC_TRY(openTracing(device, building_.threads, common));
+  device = tracing.deviceInfo().name;
   if (model.pagedBytes > 0)
-    return makePagedTracers(model, common, std::move(*tracing));
+    return makePagedTracers(model, common, std::move(tracing));
   Json figures;
-  if (Expected<void> prepared = tracing->prepare(*model.volume, kernelFormat(model), figures); !prepared)
-    return prepared.error();
-  return view::Tracers{std::make_unique<KeptTracer>(model.volume, std::move(*tracing))};
+  VOXC_TRY(tracing.prepare(*model.volume, kernelFormat(model), figures));
+  return view::Tracers{std::make_unique<KeptTracer>(model.volume, std::move(tracing))};
 }
 
 /// Two of them, with a shelf between them on which the prefetch puts pages.
 Expected<view::Tracers> SceneSource::makePagedTracers(const view::Model &model, const CommonOptions &common,
                                                       TraceSession tracing) const {
-  Expected<TraceSession> prefetching = openTracing(cpuDeviceInfo().name, 1, common);
-  if (!prefetching)
-    return prefetching.error();
+  auto prefetching = VOXC_TRY(openTracing(cpuDeviceInfo().name, 1, common));
   const auto shelf = memory_.makeShelf();
   Json figures;
   if (Expected<void> prepared = memory_.prepare(tracing, kernelFormat(model), figures, {.takesFrom = shelf});
       !prepared)
     return prepared.error();
-  if (Expected<void> prepared =
-          memory_.prepare(*prefetching, kernelFormat(model), figures, {.putsOn = shelf});
+  if (Expected<void> prepared = memory_.prepare(prefetching, kernelFormat(model), figures, {.putsOn = shelf});
       !prepared)
     return prepared.error();
   auto kept = std::make_unique<KeptTracer>(model.volume, std::move(tracing));
   auto paging = [&kept = *kept] { return kept.paging(); };
-  return view::Tracers{std::move(kept), std::make_unique<KeptTracer>(model.volume, std::move(*prefetching)),
+  return view::Tracers{std::move(kept), std::make_unique<KeptTracer>(model.volume, std::move(prefetching)),
                        std::move(paging), [this, shelf](unsigned threads) {
                          return std::make_unique<SurfaceNormals>(memory_.makeNormals(shelf, threads));
                        }};

@@ -38,10 +38,8 @@ public:
   }
 
   Expected<void> run() override {
-    if (Expected<void> checked = checkPictureOptions(picture_); !checked)
-      return checked;
-    if (Expected<void> checked = source_.check(); !checked)
-      return checked;
+    VOXC_TRY(checkPictureOptions(picture_));
+    VOXC_TRY(source_.check());
     if (const Expected<Clip> clip = clipOf(clip_); !clip)
       return clip.error();
     if (clip_.isGiven() && source_.memory().allowedCoarse() > 0)
@@ -51,30 +49,22 @@ public:
     picture_.coarse = source_.memory().allowedCoarse();
     if (std::error_code ignored; !std::filesystem::is_directory(screenshots_, ignored))
       return Error::usage("--screenshots " + screenshots_ + " is no folder");
-    const Expected<Camera> camera = makeCamera(picture_.camera, {1, 1, 1});
-    if (!camera)
-      return camera.error();
+    const auto camera = VOXC_TRY(makeCamera(picture_.camera, {1, 1, 1}));
     view::ViewerOptions options{.picture = picture_,
                                 .clip = clip_,
-                                .width = camera->width,
-                                .height = camera->height,
+                                .width = camera.width,
+                                .height = camera.height,
                                 .wish = source_.wish(),
                                 .devices = deviceNames(),
                                 .screenshots = screenshots_,
                                 .framesPerSecond = framesPerSecond_};
-    if (!search_.empty()) {
-      auto points = view::readSearchPoints(search_);
-      if (!points)
-        return points.error();
-      options.search = std::move(*points);
-    }
-    auto log = view::EventLog::open(common_.quiet ? nullptr : stdout, log_);
-    if (!log)
-      return log.error();
+    if (!search_.empty())
+      options.search = VOXC_TRY(view::readSearchPoints(search_));
+    auto log = VOXC_TRY(view::EventLog::open(common_.quiet ? nullptr : stdout, log_));
     // Lavapipe reads this once, when it is first loaded, which the window may do.
     if (source_.threads() > 0)
       ::setenv("LP_NUM_THREADS", std::to_string(source_.threads()).c_str(), 1);
-    return view::runWindow("voxc view " + source_.input(), std::move(options), source_.maker(common_), *log);
+    return view::runWindow("voxc view " + source_.input(), std::move(options), source_.maker(common_), log);
   }
 
 private:

@@ -41,10 +41,9 @@ bool hasWindows() { return !findProgram().empty(); }
 Expected<void> runWindow(const std::string &, ViewerOptions, SceneMaker, EventLog &) {
   const std::filesystem::path program = findProgram();
   if (program.empty())
-    return Error::environment(
-        "there is no " + std::string(kProgram) +
-        " beside voxc, which has the window: it is built where GLFW and Dear ImGui are at "
-        "hand; voxc render writes pictures without one");
+    return Error::environment("there is no " + std::string(kProgram) +
+                              " beside voxc, which has the window: it is built where GLFW and Dear ImGui are "
+                              "at hand; voxc render writes pictures without one");
   std::vector<std::string> arguments = ownArguments();
   std::vector<char *> pointers;
   pointers.reserve(arguments.size() + 1);

@@ -12,7 +12,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace voxc::view {
 namespace {
@@ -206,10 +205,8 @@ Expected<void> Window::draw() {
     presenter_->setPicture(*picture);
     isPictureNew_ = true;
   }
-  const Expected<bool> presented = presenter_->present(ImGui::GetDrawData());
+  const auto presented = VOXC_TRY(presenter_->present(ImGui::GetDrawData()));
   if (!presented)
-    return presented.error();
-  if (!*presented)
     return {};
   --frames_;
   if (panel_.isSettling())
@@ -238,8 +235,7 @@ Expected<void> Window::run() {
     if (frames_ == 0 || now < drawn + kFrame)
       continue;
     drawn = now;
-    if (Expected<void> result = draw(); !result)
-      return result;
+    VOXC_TRY(draw());
   }
   return tool::catchInterrupts() ? Expected<void>(Error::interrupted()) : Expected<void>();
 }
@@ -262,19 +258,13 @@ bool hasWindows() { return true; }
 
 Expected<void> runWindow(const std::string &title, ViewerOptions options, SceneMaker maker, EventLog &log) {
   tool::catchInterrupts();
-  Expected<Desktop> desktop = Desktop::open();
-  if (!desktop)
-    return desktop.error();
-  Expected<WindowHandle> handle = makeWindow(title, options.width, options.height);
-  if (!handle)
-    return handle.error();
+  VOXC_TRY(Desktop::open());
+  auto handle = VOXC_TRY(makeWindow(title, options.width, options.height));
   const ImGuiContextOwner context;
-  auto presenter = Presenter::create(handle->get());
-  if (!presenter)
-    return presenter.error();
+  auto presenter = VOXC_TRY(Presenter::create(handle.get()));
   log.tell("window " + std::to_string(options.width) + "x" + std::to_string(options.height) + " on " +
-           (*presenter)->deviceName());
-  return Window(std::move(*handle), std::move(*presenter), std::move(options), std::move(maker), log).run();
+           presenter->deviceName());
+  return Window(std::move(handle), std::move(presenter), std::move(options), std::move(maker), log).run();
 }
 
 } // namespace voxc::view

@@ -14,10 +14,8 @@
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 
-#include <array>
 #include <exception>
 #include <mutex>
-#include <utility>
 
 namespace voxc {
 
@@ -82,8 +80,7 @@ Expected<void> tryOut(const MeshInput &input) {
 }
 
 Expected<TriangleScene> read(const MeshInput &input) {
-  if (auto tried = tryOut(input); !tried)
-    return tried.error();
+  VOXC_TRY(tryOut(input));
   Warnings warnings;
   const ResidentGrowth growth;
   Assimp::Importer importer;
@@ -95,23 +92,19 @@ Expected<TriangleScene> read(const MeshInput &input) {
   if (!found)
     return Error::input("'" + input.path + "' cannot be read through assimp: " + importer.GetErrorString());
   const std::uint64_t taken = growth.bytes();
-  auto scene = sceneOf(*found, input, warnings);
-  if (!scene)
-    return scene;
-  scene->loaderPeakBytes += taken;
-  scene->warnings = warnings.take();
-  if (auto checked = checkNumbers(*scene, input); !checked)
+  auto scene = VOXC_TRY(sceneOf(*found, input, warnings));
+  scene.loaderPeakBytes += taken;
+  scene.warnings = warnings.take();
+  if (auto checked = checkNumbers(scene, input); !checked)
     return Error{checked.error().kind, "'" + input.path + "': " + checked.error().message};
   return scene;
 }
 
 Expected<TriangleScene> load(const std::string &path, const std::shared_ptr<WorkingMemory> &memory,
                              const Progress &progress) {
-  auto file = WatchedFile::open(path, memory);
-  if (!file)
-    return file.error();
+  auto file = VOXC_TRY(WatchedFile::open(path, memory));
   try {
-    return read({path, *file, memory, progress});
+    return read({path, file, memory, progress});
   } catch (const std::bad_alloc &) {
     return Error::environment("there is not enough memory to read '" + path + "'");
   } catch (const std::exception &problem) {

@@ -14,24 +14,20 @@ using namespace voxc::c;
 namespace {
 
 /// Builds an opened source; `provenance` is what the input says of itself.
-voxc_error *build(const voxc_format *format, VoxelSource &source, const voxc_build_options &given,
-                  std::shared_ptr<WorkingMemory> memory, const Progress &progress,
-                  const std::string &provenance, voxc_volume **volume) {
-  const Expected<Constructor> constructor = Constructor::compile(format->format);
-  if (!constructor)
-    return wrap(constructor.error());
+Expected<void> build(const voxc_format *format, VoxelSource &source, const voxc_build_options &given,
+                     std::shared_ptr<WorkingMemory> memory, const Progress &progress,
+                     const std::string &provenance, voxc_volume **volume) {
+  const auto constructor = VOXC_TRY(Constructor::compile(format->format));
   BuildOptions options = buildOptionsOf(given, progress);
   options.provenance = textOr(given.provenance, provenance.c_str());
   options.memory = std::move(memory);
-  Expected<Built> built = constructor->build(source, options);
-  if (!built)
-    return wrap(built.error());
-  *volume = new voxc_volume(std::move(built->volume));
-  return nullptr;
+  auto built = VOXC_TRY(constructor.build(source, options));
+  *volume = new voxc_volume(std::move(built.volume));
+  return {};
 }
 
-voxc_error *build(const voxc_format *format, VoxelSource &source, const voxc_build_options *options,
-                  voxc_volume **volume) {
+Expected<void> build(const voxc_format *format, VoxelSource &source, const voxc_build_options *options,
+                     voxc_volume **volume) {
   const voxc_build_options given = optionsOf(options);
   const CallersProgress progress(given.progress);
   return build(format, source, given, memoryOf(given), progress.get(), "", volume);
@@ -72,10 +68,9 @@ Expected<std::vector<CodedVoxel>> sorted(const std::int32_t *places, const std::
 
 voxc_error *voxc_build_grid(const voxc_format *format, const uint32_t *words, const int32_t extent[3],
                             const voxc_build_options *options, voxc_volume **volume) {
-  return guarded([&]() -> voxc_error * {
+  return guarded([&]() -> Expected<void> {
     const Int3 size{extent[0], extent[1], extent[2]};
-    if (Expected<void> checked = checkGridExtent(size); !checked)
-      return wrap(checked);
+    VOXC_TRY(checkGridExtent(size));
     const std::uint64_t count = std::uint64_t(size.x) * size.y * size.z;
     return build(format, *makeGridSource(size, {words, words + count}), options, volume);
   });
@@ -84,24 +79,20 @@ voxc_error *voxc_build_grid(const voxc_format *format, const uint32_t *words, co
 voxc_error *voxc_build_voxels(const voxc_format *format, const int32_t *places, const uint32_t *words,
                               uint64_t count, const int32_t *extent, const voxc_build_options *options,
                               voxc_volume **volume) {
-  return guarded([&]() -> voxc_error * {
+  return guarded([&]() -> Expected<void> {
     const Int3 size = extent ? Int3{extent[0], extent[1], extent[2]} : extentOf(places, count);
-    if (Expected<void> checked = checkGridExtent(size); !checked)
-      return wrap(checked);
-    Expected<std::vector<CodedVoxel>> voxels = sorted(places, words, count, size);
-    if (!voxels)
-      return wrap(voxels.error());
-    return build(format, *makeSortedSource(size, std::move(*voxels)), options, volume);
+    VOXC_TRY(checkGridExtent(size));
+    auto voxels = VOXC_TRY(sorted(places, words, count, size));
+    return build(format, *makeSortedSource(size, std::move(voxels)), options, volume);
   });
 }
 
 voxc_error *voxc_build_source(const voxc_format *format, const voxc_source *source,
                               const voxc_build_options *options, voxc_volume **volume) {
-  return guarded([&]() -> voxc_error * {
+  return guarded([&]() -> Expected<void> {
     const voxc_source given = *source;
     const Int3 size{given.extent[0], given.extent[1], given.extent[2]};
-    if (Expected<void> checked = checkGridExtent(size); !checked)
-      return wrap(checked);
+    VOXC_TRY(checkGridExtent(size));
     std::function<bool(const Cube &)> empty;
     if (given.is_empty)
       empty = [given](const Cube &cube) {
@@ -115,24 +106,19 @@ voxc_error *voxc_build_source(const voxc_format *format, const voxc_source *sour
 voxc_error *voxc_build_input(const voxc_format *format, const char *input,
                              const voxc_input_options *input_options, const voxc_build_options *options,
                              voxc_volume **volume) {
-  return guarded([&]() -> voxc_error * {
+  return guarded([&]() -> Expected<void> {
     const voxc_build_options given = optionsOf(options);
     const voxc_input_options read = optionsOf(input_options);
     const CallersProgress progress(given.progress);
-    Expected<CallersInput> asked = CallersInput::of(input, read);
-    if (!asked)
-      return wrap(asked.error());
-    if (hasLabels(format->format) && asked->arguments().colourMap.empty())
-      asked->arguments().colourMap = "labels";
+    auto asked = VOXC_TRY(CallersInput::of(input, read));
+    if (hasLabels(format->format) && asked.arguments().colourMap.empty())
+      asked.arguments().colourMap = "labels";
     const auto memory = memoryOf(given);
-    Expected<Input> opened = asked->open(format->format.extent(), given.threads, memory, progress.get());
-    if (!opened)
-      return wrap(opened.error());
-    voxc_error *const error =
-        build(format, *opened->source, given, memory, progress.get(), opened->provenance, volume);
-    if (!error && (*volume)->volume->info().voxels == 0)
-      asked->warn("the volume is empty: the input has no voxel" +
-                  std::string(read.bounds ? " within --bounds" : ""));
-    return error;
+    auto opened = VOXC_TRY(asked.open(format->format.extent(), given.threads, memory, progress.get()));
+    VOXC_TRY(build(format, *opened.source, given, memory, progress.get(), opened.provenance, volume));
+    if ((*volume)->volume->info().voxels == 0)
+      asked.warn("the volume is empty: the input has no voxel" +
+                 std::string(read.bounds ? " within --bounds" : ""));
+    return {};
   });
 }

@@ -42,10 +42,8 @@ Expected<CallersInput> CallersInput::of(const char *input, const voxc_input_opti
   asked.arguments_ = argumentsOf(options);
   if (options.report)
     asked.report_ = *options.report;
-  if (auto checked = checkInputValues(asked.arguments_); !checked)
-    return checked.error();
-  if (auto checked = checkInputArguments(asked.arguments_, asked.name_); !checked)
-    return checked.error();
+  VOXC_TRY(checkInputValues(asked.arguments_));
+  VOXC_TRY(checkInputArguments(asked.arguments_, asked.name_));
   return asked;
 }
 

@@ -24,20 +24,18 @@ EditableVolume::Snapshot snapshotOf(voxc_snapshot snapshot) {
   return {static_cast<Ref>(snapshot.root), snapshot.voxels};
 }
 
-voxc_error *edit(voxc_editable *editable, const std::unique_ptr<VoxelChange> &change) {
-  const auto report = editable->volume.apply(*change);
-  return report ? nullptr : wrap(report.error());
+Expected<void> edit(voxc_editable *editable, const std::unique_ptr<VoxelChange> &change) {
+  VOXC_TRY(editable->volume.apply(*change));
+  return {};
 }
 
 } // namespace
 
 voxc_error *voxc_editable_create(const voxc_volume *volume, voxc_editable **editable) {
-  return guarded([&]() -> voxc_error * {
-    auto made = EditableVolume::create(*volume->volume);
-    if (!made)
-      return wrap(made.error());
-    *editable = new voxc_editable{std::move(*made)};
-    return nullptr;
+  return guarded([&]() -> Expected<void> {
+    auto made = VOXC_TRY(EditableVolume::create(*volume->volume));
+    *editable = new voxc_editable{std::move(made)};
+    return {};
   });
 }
 
@@ -55,13 +53,13 @@ voxc_error *voxc_editable_set_sphere(voxc_editable *editable, const int32_t cent
 
 voxc_error *voxc_editable_set_voxels(voxc_editable *editable, const int32_t *places, const uint32_t *words,
                                      uint64_t count) {
-  return guarded([&]() -> voxc_error * {
+  return guarded([&]() -> Expected<void> {
     std::vector<VoxelWord> voxels;
     voxels.reserve(count);
     for (uint64_t i = 0; i < count; ++i) {
       const Int3 at = int3(places + 3 * i);
       if (((at.x | at.y | at.z) >> kMaxLog2Extent) != 0)
-        return wrap(Error::usage("voxel " + std::to_string(i) + " of the list lies outside of all volumes"));
+        return Error::usage("voxel " + std::to_string(i) + " of the list lies outside of all volumes");
       voxels.push_back({at, words[i]});
     }
     return edit(editable, makeListChange(std::move(voxels)));
@@ -104,9 +102,9 @@ uint64_t voxc_editable_frames(const voxc_editable *editable, voxc_snapshot *fram
 
 voxc_error *voxc_editable_framed(voxc_editable *editable, const voxc_snapshot *frames, uint64_t count,
                                  voxc_volume **volume) {
-  return guarded([&]() -> voxc_error * {
+  return guarded([&]() -> Expected<void> {
     if (count == 0)
-      return wrap(Error::usage("a volume of no frames was asked for; name one state at least"));
+      return Error::usage("a volume of no frames was asked for; name one state at least");
     std::vector<EditableVolume::Snapshot> states;
     for (const voxc_snapshot &frame : std::span(frames, count))
       states.push_back(snapshotOf(frame));
@@ -122,25 +120,23 @@ int voxc_editable_wants_compaction(const voxc_editable *editable) {
 
 voxc_error *voxc_editable_compact(const voxc_editable *editable, const voxc_build_options *options,
                                   voxc_volume **volume) {
-  return guarded([&] {
+  return guarded([&]() -> Expected<void> {
     const voxc_build_options given = optionsOf(options);
     const CallersProgress progress(given.progress);
     BuildOptions building = buildOptionsOf(given, progress.get());
     building.memory = memoryOf(given);
-    auto built = editable->volume.compact(building);
-    return handOver(built ? Expected<Volume>(std::move(built->volume)) : built.error(), volume);
+    auto built = VOXC_TRY(editable->volume.compact(building));
+    return handOver(std::move(built.volume), volume);
   });
 }
 
 voxc_error *voxc_tracer_follow(voxc_tracer *tracer, voxc_editable *editable, uint64_t *copied_bytes) {
-  return guarded([&]() -> voxc_error * {
+  return guarded([&]() -> Expected<void> {
     const auto volume = editable->volume.volume();
-    const auto followed = tracer->tracer->follow(*volume, editable->volume.takeChanges());
-    if (!followed)
-      return wrap(followed.error());
+    const auto followed = VOXC_TRY(tracer->tracer->follow(*volume, editable->volume.takeChanges()));
     tracer->volume = volume;
     if (copied_bytes)
-      *copied_bytes = followed->copiedBytes;
-    return nullptr;
+      *copied_bytes = followed.copiedBytes;
+    return {};
   });
 }

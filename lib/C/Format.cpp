@@ -25,21 +25,18 @@ char *copyOf(const std::string &text) { return copyOf(text.c_str(), text.size() 
 } // namespace
 
 voxc_error *voxc_format_parse(const char *text, const char *passes, voxc_format **format) {
-  return guarded([&]() -> voxc_error * {
-    Expected<Format> parsed = parseFormat(text);
-    if (!parsed)
-      return wrap(parsed.error());
-    if (Expected<void> passed = runPasses(*parsed, namesIn(textOr(passes, ""))); !passed)
-      return wrap(passed);
-    *format = new voxc_format(std::move(*parsed));
-    return nullptr;
+  return guarded([&]() -> Expected<void> {
+    auto parsed = VOXC_TRY(parseFormat(text));
+    VOXC_TRY(runPasses(parsed, namesIn(textOr(passes, ""))));
+    *format = new voxc_format(std::move(parsed));
+    return {};
   });
 }
 
 voxc_error *voxc_format_of_volume(const voxc_volume *volume, voxc_format **format) {
-  return guarded([&]() -> voxc_error * {
+  return guarded([&]() -> Expected<void> {
     *format = new voxc_format(volume->volume->format());
-    return nullptr;
+    return {};
   });
 }
 
@@ -55,36 +52,30 @@ void voxc_format_extent(const voxc_format *format, int32_t extent[3]) {
 }
 
 voxc_error *voxc_emit_header(const voxc_format *format, const char *name, char **text) {
-  return guarded([&]() -> voxc_error * {
-    const Expected<Plan> plan = makePlan(format->format, kHeaderPlan);
-    if (!plan)
-      return wrap(plan.error());
-    const std::string chosen = name ? name : headerName(plan->layout);
+  return guarded([&]() -> Expected<void> {
+    const auto plan = VOXC_TRY(makePlan(format->format, kHeaderPlan));
+    const std::string chosen = name ? name : headerName(plan.layout);
     if (!isHeaderName(chosen))
-      return wrap(Error::usage("a name has letters, digits and single underscores between them, unlike '" +
-                               chosen + "'"));
-    *text = copyOf(emitHeader(*plan, chosen));
-    return nullptr;
+      return Error::usage("a name has letters, digits and single underscores between them, unlike '" +
+                          chosen + "'");
+    *text = copyOf(emitHeader(plan, chosen));
+    return {};
   });
 }
 
 voxc_error *voxc_emit_glsl(const voxc_format *format, char **text) {
-  return guarded([&]() -> voxc_error * {
-    const Expected<Plan> plan = makePlan(format->format, {});
-    if (!plan)
-      return wrap(plan.error());
-    *text = copyOf(emitIntersect(*plan));
-    return nullptr;
+  return guarded([&]() -> Expected<void> {
+    const auto plan = VOXC_TRY(makePlan(format->format, {}));
+    *text = copyOf(emitIntersect(plan));
+    return {};
   });
 }
 
 voxc_error *voxc_compile_spirv(const voxc_format *format, uint32_t **words, size_t *count) {
-  return guarded([&]() -> voxc_error * {
-    const Expected<Kernel> kernel = compileKernel(format->format);
-    if (!kernel)
-      return wrap(kernel.error());
-    *words = copyOf(kernel->spirv.data(), kernel->spirv.size());
-    *count = kernel->spirv.size();
-    return nullptr;
+  return guarded([&]() -> Expected<void> {
+    const auto kernel = VOXC_TRY(compileKernel(format->format));
+    *words = copyOf(kernel.spirv.data(), kernel.spirv.size());
+    *count = kernel.spirv.size();
+    return {};
   });
 }

@@ -43,29 +43,23 @@ using Answer = Expected<FormatTable>(const SourceOpener &open, const FormatQuest
 voxc_error *ask(Answer &answer, const char *device, const char *input,
                 const voxc_input_options *input_options, const voxc_choice_options *options,
                 voxc_format_table **table) {
-  return guarded([&]() -> voxc_error * {
+  return guarded([&]() -> Expected<void> {
     const voxc_choice_options given = optionsOf(options);
     const CallersProgress progress(given.progress);
-    Expected<CallersInput> asked = CallersInput::of(input, optionsOf(input_options));
-    if (!asked)
-      return wrap(asked.error());
-    fillResolution(asked->arguments(), asked->name());
+    auto asked = VOXC_TRY(CallersInput::of(input, optionsOf(input_options)));
+    fillResolution(asked.arguments(), asked.name());
     FormatQuestion question = questionOf(given, device);
     question.memory = memoryOf({.memory_bytes = given.memory_bytes});
-    question.name = asked->name();
+    question.name = asked.name();
     const auto open = [&]() -> Expected<std::unique_ptr<VoxelSource>> {
       constexpr int kMost = 1 << kMaxLog2Extent;
-      Expected<Input> opened =
-          asked->open({kMost, kMost, kMost}, given.threads, question.memory, progress.get());
-      if (!opened)
-        return opened.error();
-      return std::move(opened->source);
+      auto opened =
+          VOXC_TRY(asked.open({kMost, kMost, kMost}, given.threads, question.memory, progress.get()));
+      return std::move(opened.source);
     };
-    Expected<FormatTable> answered = answer(open, question, progress.get());
-    if (!answered)
-      return wrap(answered.error());
-    *table = new voxc_format_table(std::move(*answered));
-    return nullptr;
+    auto answered = VOXC_TRY(answer(open, question, progress.get()));
+    *table = new voxc_format_table(std::move(answered));
+    return {};
   });
 }
 

@@ -50,18 +50,16 @@ inline voxc_error &outOfMemory() {
   return error;
 }
 
-inline voxc_error *wrap(Error error) { return new voxc_error{std::move(error)}; }
-inline voxc_error *wrap(const Expected<void> &result) { return result ? nullptr : wrap(result.error()); }
-
-/// Calls what makes an error or null; nothing is thrown across the interface.
+/// Calls what may fail, and returns null or its error; nothing is thrown across the interface.
 template <typename Function> voxc_error *guarded(const Function &function) noexcept {
   try {
-    return function();
+    const Expected<void> done = function();
+    return done ? nullptr : new voxc_error{done.error()};
   } catch (const std::bad_alloc &) {
     return &outOfMemory();
   } catch (const std::exception &exception) {
     try {
-      return wrap(Error::environment(exception.what()));
+      return new voxc_error{Error::environment(exception.what())};
     } catch (const std::bad_alloc &) {
       return &outOfMemory();
     }
@@ -69,11 +67,11 @@ template <typename Function> voxc_error *guarded(const Function &function) noexc
 }
 
 /// Hands a volume over, or says why there is none.
-inline voxc_error *handOver(Expected<Volume> made, voxc_volume **volume) {
+inline Expected<void> handOver(Expected<Volume> made, voxc_volume **volume) {
   if (!made)
-    return wrap(made.error());
+    return made.error();
   *volume = new voxc_volume(std::move(*made));
-  return nullptr;
+  return {};
 }
 
 /// Options as the caller's library knew them; what it did not know, or all without options, is 0.

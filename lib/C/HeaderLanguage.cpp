@@ -20,33 +20,29 @@ std::string allLanguages() {
 
 /// The functions of a format. Errors: no possible name; a format that they cannot be of.
 Expected<std::string> functionsOf(const Format &format, const char *name, HeaderLanguage language) {
-  const Expected<Plan> plan = makePlan(format, kHeaderPlan);
-  if (!plan)
-    return plan.error();
-  if (const std::string problem = problemOf(*plan, EmitTarget::Functions); !problem.empty())
+  const auto plan = VOXC_TRY(makePlan(format, kHeaderPlan));
+  if (const std::string problem = problemOf(plan, EmitTarget::Functions); !problem.empty())
     return Error::input(problem);
-  const std::string chosen = name ? name : headerName(plan->layout);
+  const std::string chosen = name ? name : headerName(plan.layout);
   if (!isHeaderName(chosen))
     return Error::usage("a name has letters, digits and single underscores between them, unlike '" + chosen +
                         "'");
-  return emitHeader(*plan, chosen, language);
+  return emitHeader(plan, chosen, language);
 }
 
 } // namespace
 
 voxc_error *voxc_emit_header_in(const voxc_format *format, const char *language, const char *name,
                                 char **text) {
-  return guarded([&]() -> voxc_error * {
+  return guarded([&]() -> Expected<void> {
     const std::optional<HeaderLanguage> chosen = fromString<HeaderLanguage>(language);
     if (!chosen)
-      return wrap(Error::usage("there are no headers in '" + std::string(language) + "'; there are " +
-                               allLanguages()));
-    const Expected<std::string> functions = functionsOf(format->format, name, *chosen);
-    if (!functions)
-      return wrap(functions.error());
-    *text = ::strdup(functions->c_str());
+      return Error::usage("there are no headers in '" + std::string(language) + "'; there are " +
+                          allLanguages());
+    const auto functions = VOXC_TRY(functionsOf(format->format, name, *chosen));
+    *text = ::strdup(functions.c_str());
     if (!*text)
       throw std::bad_alloc();
-    return nullptr;
+    return {};
   });
 }

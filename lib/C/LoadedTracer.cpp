@@ -18,10 +18,9 @@ template <std::size_t N> void copyText(char (&to)[N], const std::string &from) {
   std::snprintf(to, N, "%s", from.c_str());
 }
 
-voxc_error *traceAll(voxc_tracer &tracer, const RaySpan &rays, voxc_hit *hits) {
-  const Expected<TraceReport> traced =
-      tracer.tracer->trace(rays, std::span(reinterpret_cast<Hit *>(hits), rays.size()));
-  return traced ? nullptr : wrap(traced.error());
+Expected<void> traceAll(voxc_tracer &tracer, const RaySpan &rays, voxc_hit *hits) {
+  VOXC_TRY(tracer.tracer->trace(rays, std::span(reinterpret_cast<Hit *>(hits), rays.size())));
+  return {};
 }
 
 /// A format as people write it, and by its digest, since passes do not show.
@@ -45,13 +44,13 @@ voxc_device_info infoOf(const DeviceInfo &device) {
 
 size_t voxc_devices(voxc_device_info *devices, size_t capacity) {
   std::size_t count = 0;
-  voxc_error *const failure = guarded([&]() -> voxc_error * {
+  voxc_error *const failure = guarded([&]() -> Expected<void> {
     std::vector<DeviceInfo> all = listDevices();
     all.push_back(cpuDeviceInfo());
     for (std::size_t i = 0; i < std::min(capacity, all.size()); ++i)
       devices[i] = infoOf(all[i]);
     count = all.size();
-    return nullptr;
+    return {};
   });
   voxc_error_free(failure);
   return count;
@@ -59,25 +58,18 @@ size_t voxc_devices(voxc_device_info *devices, size_t capacity) {
 
 voxc_error *voxc_tracer_load(const voxc_volume *volume, const char *kernel_path,
                              const voxc_tracer_options *options, voxc_tracer **tracer) {
-  return guarded([&]() -> voxc_error * {
+  return guarded([&]() -> Expected<void> {
     const voxc_tracer_options given = optionsOf(options);
-    Expected<Kernel> kernel = Kernel::load(kernel_path);
-    if (!kernel)
-      return wrap(kernel.error());
-    Expected<Device> device = Device::open(textOr(given.device, ""));
-    if (!device)
-      return wrap(device.error());
+    auto kernel = VOXC_TRY(Kernel::load(kernel_path));
+    auto device = VOXC_TRY(Device::open(textOr(given.device, "")));
     auto made = std::make_unique<voxc_tracer>();
     made->volume = volume->volume;
-    made->device = std::make_unique<Device>(std::move(*device));
+    made->device = std::make_unique<Device>(std::move(device));
     made->deviceName = made->device->info().name;
     made->threads = given.threads;
-    auto opened = createTracer(*made->device, *kernel, *made->volume, given.threads);
-    if (!opened)
-      return wrap(opened.error());
-    made->tracer = std::move(*opened);
+    made->tracer = VOXC_TRY(createTracer(*made->device, kernel, *made->volume, given.threads));
     *tracer = made.release();
-    return nullptr;
+    return {};
   });
 }
 
@@ -90,14 +82,14 @@ void voxc_tracer_free(voxc_tracer *tracer) {
 const char *voxc_tracer_device(const voxc_tracer *tracer) { return tracer->deviceName.c_str(); }
 
 voxc_error *voxc_tracer_trace(voxc_tracer *tracer, const voxc_ray *rays, uint64_t count, voxc_hit *hits) {
-  return guarded([&]() -> voxc_error * {
+  return guarded([&] {
     return traceAll(*tracer, std::span(reinterpret_cast<const Ray *>(rays), std::size_t(count)), hits);
   });
 }
 
 voxc_error *voxc_tracer_trace_bounded(voxc_tracer *tracer, const voxc_bounded_ray *rays, uint64_t count,
                                       voxc_hit *hits) {
-  return guarded([&]() -> voxc_error * {
+  return guarded([&] {
     return traceAll(*tracer, std::span(reinterpret_cast<const BoundedRay *>(rays), std::size_t(count)), hits);
   });
 }
@@ -109,18 +101,15 @@ void voxc_face_normal(uint32_t face, float normal[3]) {
 }
 
 voxc_error *voxc_tracer_update(voxc_tracer *tracer, const voxc_volume *volume, uint64_t *copied_bytes) {
-  return guarded([&]() -> voxc_error * {
+  return guarded([&]() -> Expected<void> {
     const Volume &own = *tracer->volume;
     if (own.storageDigest() != volume->volume->storageDigest())
-      return wrap(Error::usage("the volume is of another format, " + shown(*volume->volume) +
-                               ", than that of the tracer, " + shown(own) +
-                               "; it takes a tracer of its own"));
-    const Expected<UpdateReport> updated = tracer->tracer->update(*tracer->volume, *volume->volume);
-    if (!updated)
-      return wrap(updated.error());
+      return Error::usage("the volume is of another format, " + shown(*volume->volume) +
+                          ", than that of the tracer, " + shown(own) + "; it takes a tracer of its own");
+    const auto updated = VOXC_TRY(tracer->tracer->update(*tracer->volume, *volume->volume));
     tracer->volume = volume->volume;
     if (copied_bytes)
-      *copied_bytes = updated->copiedBytes;
-    return nullptr;
+      *copied_bytes = updated.copiedBytes;
+    return {};
   });
 }

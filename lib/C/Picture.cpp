@@ -78,8 +78,7 @@ Expected<void> checkCamera(const voxc_picture_options &options, int width, int h
 Expected<Camera> cameraOf(const voxc_picture_options &options, const Volume &volume, TraceRays trace) {
   const std::int32_t width = options.width == 0 ? 1280 : options.width;
   const std::int32_t height = options.height == 0 ? 720 : options.height;
-  if (Expected<void> checked = checkCamera(options, width, height); !checked)
-    return checked.error();
+  VOXC_TRY(checkCamera(options, width, height));
   const bool isOrthographic = options.orthographic || options.view_height > 0;
   Camera camera;
   camera.width = width;
@@ -92,15 +91,11 @@ Expected<Camera> cameraOf(const voxc_picture_options &options, const Volume &vol
       camera.verticalFov = options.vertical_fov;
     camera = projected(camera, isOrthographic);
   } else {
-    const Expected<View> view = valueOf(options.view, View::Auto, "view");
-    if (!view)
-      return view.error();
+    const auto view = VOXC_TRY(valueOf(options.view, View::Auto, "view"));
     camera.verticalFov = options.vertical_fov;
     camera.orthographicHeight = isOrthographic ? 1 : 0;
-    const Expected<FoundView> found = findView(*view, volume, trace, camera);
-    if (!found)
-      return found.error();
-    camera = found->camera;
+    const auto found = VOXC_TRY(findView(view, volume, trace, camera));
+    camera = found.camera;
   }
   if (options.view_height > 0)
     camera.orthographicHeight = options.view_height;
@@ -110,44 +105,35 @@ Expected<Camera> cameraOf(const voxc_picture_options &options, const Volume &vol
 } // namespace
 
 voxc_error *voxc_render(voxc_tracer *tracer, const voxc_picture_options *options, uint32_t *pixels) {
-  return guarded([&]() -> voxc_error * {
+  return guarded([&]() -> Expected<void> {
     const voxc_picture_options given = optionsOf(options);
     const Question question = questionOf(tracer->format);
     if (!isOfHits(question.query) || !question.outputs.voxel || !question.outputs.t ||
         !question.outputs.colour)
-      return wrap(Error::usage(
-          "a picture is made of the voxel, t and colour of the closest hits: of a tracer with the "
-          "default query and outputs"));
-    const Expected<Clip> clip = clipOf(given);
-    if (!clip)
-      return wrap(clip.error());
+      return Error::usage("a picture is made of the voxel, t and colour of the closest hits: of a tracer "
+                          "with the default query and outputs");
+    const auto clip = VOXC_TRY(clipOf(given));
     // What the kernel of a file takes, its tracer knows.
-    if (!clip->cutsNothing() && !tracer->format.levels.empty() && !question.bounds)
-      return wrap(Error::usage("a picture with cuts is made by a tracer with bounds; this one is without"));
+    if (!clip.cutsNothing() && !tracer->format.levels.empty() && !question.bounds)
+      return Error::usage("a picture with cuts is made by a tracer with bounds; this one is without");
     const auto trace = [&](std::span<const Ray> rays, std::span<Hit> hits,
                            const TraceOptions &how) -> Expected<void> {
       const std::vector<BoundedRay> kept =
-          clip->cutsNothing() ? std::vector<BoundedRay>() : clip->bounded(rays, tracer->threads);
+          clip.cutsNothing() ? std::vector<BoundedRay>() : clip.bounded(rays, tracer->threads);
       const Expected<TraceReport> report =
-          tracer->tracer->trace(clip->cutsNothing() ? RaySpan(rays) : RaySpan(kept), hits, how);
+          tracer->tracer->trace(clip.cutsNothing() ? RaySpan(rays) : RaySpan(kept), hits, how);
       return report ? Expected<void>() : report.error();
     };
-    const Expected<Camera> camera = cameraOf(given, *tracer->volume, trace);
-    if (!camera)
-      return wrap(camera.error());
-    const Expected<Style> style = valueOf(given.style, Style::Lit, "style");
-    if (!style)
-      return wrap(style.error());
+    const auto camera = VOXC_TRY(cameraOf(given, *tracer->volume, trace));
+    const auto style = VOXC_TRY(valueOf(given.style, Style::Lit, "style"));
     const CallersProgress progress(given.progress);
-    RenderOptions how{.style = *style, .samples = given.samples};
+    RenderOptions how{.style = style, .samples = given.samples};
     how.isSmooth = isSmoothSurface(tracer->volume->info());
-    how.clip = clip->cutsNothing() ? nullptr : &*clip;
+    how.clip = clip.cutsNothing() ? nullptr : &clip;
     how.threads = tracer->threads;
     how.progress = progress.get();
-    const Expected<Rendering> taken = render(*tracer->volume, *camera, {trace, trace}, how);
-    if (!taken)
-      return wrap(taken.error());
-    std::ranges::copy(taken->picture.pixels, pixels);
-    return nullptr;
+    const auto taken = VOXC_TRY(render(*tracer->volume, camera, {trace, trace}, how));
+    std::ranges::copy(taken.picture.pixels, pixels);
+    return {};
   });
 }

@@ -35,14 +35,12 @@ Expected<Format> kernelFormat(const Volume &volume, const voxc_tracer_options &o
     format.setAttribute(kind, value);
   }
   if (options.outputs)
-    if (Expected<void> set = setOutputs(format, options.outputs); !set)
-      return set.error();
+    VOXC_TRY(setOutputs(format, options.outputs));
   if (options.bounds)
     askForBounds(format);
   if (const std::string_view problem = problemOfQuestion(format); !problem.empty())
     return Error::usage("the format " + std::string(problem));
-  if (Expected<void> passed = runPasses(format, namesIn(textOr(options.passes, ""))); !passed)
-    return passed.error();
+  VOXC_TRY(runPasses(format, namesIn(textOr(options.passes, ""))));
   return format;
 }
 
@@ -50,27 +48,19 @@ Expected<Format> kernelFormat(const Volume &volume, const voxc_tracer_options &o
 
 voxc_error *voxc_tracer_create(const voxc_volume *volume, const voxc_tracer_options *options,
                                voxc_tracer **tracer) {
-  return guarded([&]() -> voxc_error * {
+  return guarded([&]() -> Expected<void> {
     const voxc_tracer_options given = optionsOf(options);
     const DeviceInfo processor = cpuDeviceInfo();
     auto made = std::make_unique<voxc_tracer>();
     made->volume = volume->volume;
     made->threads = given.threads;
-    Expected<Format> format = kernelFormat(*volume->volume, given);
-    if (!format)
-      return wrap(format.error());
-    made->format = std::move(*format);
-    auto device = openDevice(given, processor.name);
-    if (!device)
-      return wrap(device.error());
-    made->device = std::move(*device);
+    made->format = VOXC_TRY(kernelFormat(*volume->volume, given));
+    made->device = VOXC_TRY(openDevice(given, processor.name));
     made->deviceName = made->device ? made->device->info().name : processor.name;
-    auto opened = openTracerOn(
-        *made->volume, {.openDevice = made->device.get(), .threads = made->threads, .format = made->format});
-    if (!opened)
-      return wrap(opened.error());
-    made->tracer = std::move(opened->tracer);
+    auto opened = VOXC_TRY(openTracerOn(
+        *made->volume, {.openDevice = made->device.get(), .threads = made->threads, .format = made->format}));
+    made->tracer = std::move(opened.tracer);
     *tracer = made.release();
-    return nullptr;
+    return {};
   });
 }

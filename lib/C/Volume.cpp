@@ -53,7 +53,7 @@ voxc_error *voxc_volume_load(const char *path, const voxc_load_options *options,
 void voxc_volume_free(voxc_volume *volume) { delete volume; }
 
 voxc_error *voxc_volume_save(const voxc_volume *volume, const char *path, int compress) {
-  return guarded([&] { return wrap(volume->volume->save(path, {.compress = compress != 0})); });
+  return guarded([&] { return volume->volume->save(path, {.compress = compress != 0}); });
 }
 
 uint64_t voxc_volume_digest(const voxc_volume *volume) { return volume->volume->storageDigest(); }
@@ -88,7 +88,7 @@ const uint32_t *voxc_volume_words(const voxc_volume *volume, uint64_t *count) {
 const void *voxc_volume_attribute(const voxc_volume *volume, const char *name, uint32_t *element_bytes) {
   const Stream *const attribute = findAttribute(*volume->volume, name);
   if (!attribute)
-    return nullptr;
+    return {};
   *element_bytes = attribute->elementBytes;
   return attribute->bytes.data();
 }
@@ -113,17 +113,17 @@ uint32_t voxc_volume_lookup(const voxc_volume *volume, const int32_t voxel[3]) {
 
 voxc_error *voxc_volume_read(const voxc_volume *volume, const int32_t low[3], const int32_t size[3],
                              uint32_t *words) {
-  return guarded([&]() -> voxc_error * {
+  return guarded([&]() -> Expected<void> {
     std::uint64_t most = kMostRead;
     for (int axis = 0; axis < 3; ++axis) {
       if (size[axis] < 0 || std::uint64_t(size[axis]) > most)
-        return wrap(Error::usage("a box that is read has sizes from 0 up, and at most 2^40 voxels"));
+        return Error::usage("a box that is read has sizes from 0 up, and at most 2^40 voxels");
       most /= std::max(size[axis], 1);
     }
     for (std::int32_t z = 0; z < size[2]; ++z)
       for (std::int32_t y = 0; y < size[1]; ++y)
         words = readRow(*volume->volume, {low[0], std::int64_t{low[1]} + y, std::int64_t{low[2]} + z},
                         size[0], words);
-    return nullptr;
+    return {};
   });
 }

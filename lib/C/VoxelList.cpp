@@ -22,6 +22,6 @@ voxc_error *voxc_volume_list(const voxc_volume *volume, int32_t *places, uint32_
       count += cells;
       return true;
     };
-    return wrap(decode(*volume->volume, list));
+    return decode(*volume->volume, list);
   });
 }

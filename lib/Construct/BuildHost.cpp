@@ -3,9 +3,6 @@
 
 #include "Serve.h"
 
-#include <algorithm>
-#include <cstddef>
-
 namespace voxc {
 namespace {
 

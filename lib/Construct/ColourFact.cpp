@@ -42,9 +42,9 @@ Error ColourFact::broken(const std::string &whatIs, std::uint32_t colour) const 
         whatIs + ofLabel(colour) + ", but the format states payload=material(" +
         std::to_string(facts_.payloadBits) + "), labels from 1 to " + std::to_string(most_ - 1) +
         (isLabel(colour) ? "; build it with more bits"
-                         : "; --colour-map labels takes labels from a dense volume or MagicaVoxel "
-                           "models, other inputs have none; numbers below 0 and fractions are attached to a "
-                           "volume without labels: voxc attach V.hvx --words hu=INPUT -o V.hvx"));
+                         : "; --colour-map labels takes labels from a dense volume or MagicaVoxel models, "
+                           "other inputs have none; numbers below 0 and fractions are attached to a volume "
+                           "without labels: voxc attach V.hvx --words hu=INPUT -o V.hvx"));
   const std::string is = whatIs + " " + colourText(colour) + ", others ";
   if (kindOf(facts_.payload).oneColour)
     return Error::input(is + "are " + colourText(one()) +

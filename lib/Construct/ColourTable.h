@@ -1,6 +1,8 @@
 // The different colours of a scene, numbered as they come.
 #pragma once
 
+#include "Support/HashTable.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -9,7 +11,7 @@
 
 namespace voxc {
 
-/// At most so many colours, found by hashing.
+/// At most so many colours.
 class ColourTable {
 public:
   explicit ColourTable(std::size_t most) : most_(most) {}
@@ -22,13 +24,10 @@ public:
   std::span<const std::uint32_t> colours() const { return colours_; }
 
 private:
-  void grow();
-
   std::size_t most_;
   std::vector<std::uint32_t> colours_;
-  std::vector<std::uint32_t>
-      places_;             ///< By hash: the number of the colour and 1, or 0. Half of them are free.
-  std::uint32_t last_ = 0; ///< Voxels often have the colour of the one before.
+  HashTable<std::uint32_t, std::uint32_t> numbers_; ///< Of each colour, counted from 1 on.
+  std::uint32_t last_ = 0;                          ///< Voxels often have the colour of the one before.
   std::uint32_t lastNumber_ = 0;
 };
 

@@ -28,10 +28,8 @@ double Constructor::compileSeconds() const { return state_->compileSeconds; }
 
 Expected<Constructor> Constructor::compile(const Format &format, const CompileCache *cache) {
   const Stopwatch watch;
-  auto construction = ConstructionOfFormat::compile(format, cache);
-  if (!construction)
-    return construction.error();
-  return Constructor(std::make_unique<State>(State{std::move(*construction), watch.seconds()}));
+  auto construction = VOXC_TRY(ConstructionOfFormat::compile(format, cache));
+  return Constructor(std::make_unique<State>(State{std::move(construction), watch.seconds()}));
 }
 
 std::unique_ptr<RoundedSource> roundedAs(const Layout &layout, VoxelSource &source) {
@@ -59,18 +57,16 @@ BuildResult Constructor::build(VoxelSource &exact, const BuildOptions &options) 
 
 BuildResult Constructor::buildVoxels(VoxelSource &source, const BuildOptions &given) const {
   const BuildOptions options = withMemory(given);
-  if (auto fits = checkFits(source.extent(), state_->format()); !fits)
-    return fits.error();
+  VOXC_TRY(checkFits(source.extent(), state_->format()));
   const double readBefore = source.readSeconds();
   const PartGrid grid = PartGrid::of(source, state_->layout());
   const auto build = [&]() -> BuildResult {
     if (options.threads <= 1 || grid.count() == 1 || !source.view())
       return buildWhole(source, state_->construction, options);
-    auto parts = ParallelParts::start(source, state_->functions(), state_->layout(), grid, 0, grid.count(),
-                                      options.threads, options.memory, options.progress);
-    if (!parts)
-      return parts.error();
-    return joinParts(**parts, infoOf(source, state_->format(), options), state_->construction, options,
+    auto parts =
+        VOXC_TRY(ParallelParts::start(source, state_->functions(), state_->layout(), grid, 0, grid.count(),
+                                      options.threads, options.memory, options.progress));
+    return joinParts(*parts, infoOf(source, state_->format(), options), state_->construction, options,
                      Origin::Built);
   };
   auto built = build();
@@ -85,17 +81,13 @@ BuildResult Constructor::edit(const std::shared_ptr<const Volume> &volume,
   if (!(volume->format() == state_->format()))
     return Error::input("the volume is of the format " + toString(volume->format()) + ", not " +
                         toString(state_->format()));
-  auto source = makeEditedSource(volume, edits);
-  if (!source)
-    return source.error();
-  const auto rounded = roundedAs(state_->layout(), **source);
-  VolumeInfo info = infoOf(**source, state_->format(), options);
-  auto parts = EditedParts::create(*volume, rounded ? rounded->view() : (*source)->view(), edits,
-                                   state_->functions(), options);
-  if (!parts)
-    return parts.error();
+  auto source = VOXC_TRY(makeEditedSource(volume, edits));
+  const auto rounded = roundedAs(state_->layout(), *source);
+  VolumeInfo info = infoOf(*source, state_->format(), options);
+  auto parts = VOXC_TRY(EditedParts::create(*volume, rounded ? rounded->view() : source->view(), edits,
+                                            state_->functions(), options));
   // What a loader has let through may be shared as no build does it: its parts are proved once more together.
-  return joinParts(**parts, std::move(info), state_->construction, options, Origin::Foreign);
+  return joinParts(*parts, std::move(info), state_->construction, options, Origin::Foreign);
 }
 
 PartNumbers partNumbersOf(const VoxelSource &source, const Format &format) {
@@ -114,8 +106,7 @@ Expected<void> Constructor::checkFormat(const FragmentSet &fragments) const {
 BuildResult Constructor::mergeOpened(Expected<FragmentSet> fragments, const BuildOptions &options) const {
   if (!fragments)
     return fragments.error();
-  if (auto checked = checkFormat(*fragments); !checked)
-    return checked.error();
+  VOXC_TRY(checkFormat(*fragments));
   return joinParts(*fragments, fragments->info().volume, state_->construction, options, Origin::Foreign);
 }
 

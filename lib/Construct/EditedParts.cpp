@@ -40,11 +40,9 @@ Expected<std::unique_ptr<EditedParts>> EditedParts::create(const Volume &volume,
                                                            std::span<const VoxelEdit> edits,
                                                            const ConstructCode &code,
                                                            const BuildOptions &options) {
-  auto builder = PartBuilder::create(edited->view(), code, volume.layout(), options.memory);
-  if (!builder)
-    return builder.error();
+  auto builder = VOXC_TRY(PartBuilder::create(edited->view(), code, volume.layout(), options.memory));
   return std::unique_ptr<EditedParts>(
-      new EditedParts(volume, std::move(edited), edits, std::move(*builder), options));
+      new EditedParts(volume, std::move(edited), edits, std::move(builder), options));
 }
 
 bool EditedParts::isTouched(const Cube &cube) const {

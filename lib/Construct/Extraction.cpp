@@ -23,15 +23,13 @@ Int3 placeIn(const Stratum &stratum, Int3 cell, int layer) {
 
 std::uint64_t cubed(int log2Side) { return std::uint64_t{1} << 3 * log2Side; }
 
-/// Nodes of two layers whose leaves are alike are one block: all below it is larger by so much then.
-PlacedBlocks::Placed inLayer(PlacedBlocks::Placed placed, int layer, int log2Shape) {
-  const int up = log2Shape * (layer - placed.layer);
-  placed.voxels = up >= 0 ? placed.voxels * cubed(up) : placed.voxels / cubed(-up);
-  placed.layer = layer;
-  return placed;
-}
-
 } // namespace
+
+/// Nodes of two layers whose leaves are alike are one block: all below it is larger by so much then.
+Extraction::Placed Extraction::Placed::inLayer(int other, int log2Shape) const {
+  const int up = log2Shape * (other - layer);
+  return {at, other, up >= 0 ? voxels * cubed(up) : voxels / cubed(-up)};
+}
 
 Fragment Extraction::cube(Int3 low, int log2Side) {
   Fragment fragment;
@@ -160,7 +158,7 @@ Extraction::Placed Extraction::subVolume(std::size_t index, std::uint64_t at) {
   if (stratum.hasRecords())
     return record(index, at, below);
   const Ref leaf = block(index, BlockRecord::InternLeaf, Block::Leaf, at, 1);
-  placed_.place(at, {.at = leaf, .voxels = below.voxels});
+  placed_[at] = {.at = leaf, .voxels = below.voxels};
   return {.at = leaf, .voxels = below.voxels};
 }
 
@@ -171,7 +169,7 @@ Extraction::Placed Extraction::grid(std::size_t index, std::uint64_t at) {
     placed.voxels += cell(index, cellValue(words_, stratum, child)).voxels;
   });
   placed.at = block(index, nodeKind(stratum), Block::Node, at, stratum.slots->size(words_, stratum, at));
-  placed_.place(at, placed);
+  placed_[at] = placed;
   return placed;
 }
 
@@ -182,7 +180,7 @@ Extraction::Placed Extraction::node(std::size_t index, std::uint64_t at, int lay
   const bool isRecord = stratum.hasRecords();
   const std::uint64_t block = isRecord ? words_.wordOf(words_[at]) : at;
   if (const Placed *known = placed_.find(block))
-    return inLayer(*known, layer, stratum.log2Shape.x);
+    return known->inLayer(layer, stratum.log2Shape.x);
   Placed placed;
   std::uint64_t children = 0, leaves = 0;
   stratum.slots->visit(words_, stratum, at, [&](Int3, const Child &child) {
@@ -201,7 +199,7 @@ Extraction::Placed Extraction::node(std::size_t index, std::uint64_t at, int lay
   const std::uint64_t size = stratum.slots->size(words_, stratum, at);
   placed.at = this->block(index, nodeKind(stratum), Block::Node, block, isRecord ? size * children : size);
   placed.layer = layer;
-  placed_.place(block, placed);
+  placed_[block] = placed;
   return placed;
 }
 
@@ -210,7 +208,7 @@ Extraction::Placed Extraction::record(std::size_t index, std::uint64_t at, const
   const Stratum &stratum = layout_.strata[index];
   const Ref placedAt = block(index, BlockRecord::Append, Block::Node, at, 1 + MaskShape(stratum).words());
   const Placed placed = {.at = placedAt, .voxels = children.voxels};
-  placed_.place(at, placed);
+  placed_[at] = placed;
   return placed;
 }
 
@@ -219,7 +217,7 @@ void Extraction::leafWords(std::size_t index, std::uint64_t node) {
   const Stratum &stratum = layout_.strata[index];
   stratum.slots->visit(words_, stratum, node, [&](Int3, const Child &child) {
     if (child.leaf && !placed_.find(child.at))
-      placed_.place(child.at, {.at = block(index, BlockRecord::InternLeaf, Block::Leaf, child.at, 1)});
+      placed_[child.at] = {.at = block(index, BlockRecord::InternLeaf, Block::Leaf, child.at, 1)};
   });
 }
 

@@ -2,10 +2,11 @@
 #pragma once
 
 #include "Fragment.h"
-#include "PlacedBlocks.h"
 
 #include "voxc/Layout/SlotKind.h"
 #include "voxc/Layout/WordReader.h"
+
+#include "Support/HashTable.h"
 
 #include <cstdint>
 #include <span>
@@ -29,7 +30,14 @@ public:
   Fragment cube(Int3 low, int log2Side);
 
 private:
-  using Placed = PlacedBlocks::Placed;
+  /// Where a block went, counted in words of the fragment, and the voxels below it.
+  struct Placed {
+    Ref at = 0;
+    int layer = 0; ///< Of its tree, for which its voxels were counted.
+    std::uint64_t voxels = 0;
+
+    Placed inLayer(int other, int log2Shape) const;
+  };
 
   /// The word at which a sub-volume begins, and the rank of its first voxel.
   struct Found {
@@ -57,7 +65,7 @@ private:
   WordReader words_;
   const Layout &layout_;
   Fragment *fragment_ = nullptr;
-  PlacedBlocks placed_; ///< By the word where a block stands in the volume.
+  HashTable<Placed> placed_; ///< By the word where a block stands in the volume.
 };
 
 } // namespace voxc

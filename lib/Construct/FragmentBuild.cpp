@@ -34,33 +34,26 @@ Expected<BuildReport> Constructor::buildFragment(VoxelSource &exact, const Fragm
   const Layout &layout = state_->layout();
   const auto rounded = roundedAs(layout, exact);
   VoxelSource &source = rounded ? *rounded : exact;
-  if (auto fits = checkFits(source.extent(), format); !fits)
-    return fits.error();
+  VOXC_TRY(checkFits(source.extent(), format));
   const PartGrid smallest = PartGrid::of(source, layout);
   const PartGrid grid = smallest.upTo(smallest.log2Side + kLog2LargerPart, layout);
-  auto writer = FragmentWriter::create(path, {infoOf(source, format, options), grid.log2Side, share});
-  if (!writer)
-    return writer.error();
-  auto parts = ParallelParts::start(source, state_->functions(), layout, grid, share.begin, share.end,
-                                    std::max(options.threads, 1u), options.memory, options.progress);
-  if (!parts)
-    return parts.error();
+  auto writer =
+      VOXC_TRY(FragmentWriter::create(path, {infoOf(source, format, options), grid.log2Side, share}));
+  auto parts =
+      VOXC_TRY(ParallelParts::start(source, state_->functions(), layout, grid, share.begin, share.end,
+                                    std::max(options.threads, 1u), options.memory, options.progress));
   BuildReport report;
   MortonProgress progress(source.extent(), options.progress);
-  for (auto cube = (*parts)->next(); !cube.isEnd(); cube = (*parts)->next()) {
+  for (auto cube = parts->next(); !cube.isEnd(); cube = parts->next()) {
     if (cube.failed())
       return cube.error();
-    auto fragment = (*parts)->take();
-    if (!fragment)
-      return fragment.error();
-    if (auto added = writer->add(*fragment); !added)
-      return added.error();
-    report.voxels += fragment->voxels;
+    auto fragment = VOXC_TRY(parts->take());
+    VOXC_TRY(writer.add(fragment));
+    report.voxels += fragment.voxels;
     if (!progress.at(cube->low, report.voxels))
       return Error::interrupted();
   }
-  if (auto finished = writer->finish((*parts)->looked()); !finished)
-    return finished.error();
+  VOXC_TRY(writer.finish(parts->looked()));
   if (rounded)
     report.colourError = rounded->error();
   report.readSeconds = source.readSeconds();
@@ -93,46 +86,35 @@ Expected<BuildReport> Constructor::joinFragments(const std::vector<std::string> 
                                                  const BuildOptions &given) const {
   const Stopwatch watch;
   const BuildOptions options = withMemory(given);
-  auto fragments = FragmentSet::openRun(paths, options.memory);
-  if (!fragments)
-    return fragments.error();
-  if (auto checked = checkFormat(*fragments); !checked)
-    return checked.error();
-  const FragmentInfo &info = fragments->info();
-  if (fragments->cubes() != std::pair(share.begin, share.end))
+  auto fragments = VOXC_TRY(FragmentSet::openRun(paths, options.memory));
+  VOXC_TRY(checkFormat(fragments));
+  const FragmentInfo &info = fragments.info();
+  if (fragments.cubes() != std::pair(share.begin, share.end))
     return Error::input("the fragments have other cubes than the one that they are to be joined to: " +
-                        std::to_string(fragments->cubes().first) + " to " +
-                        std::to_string(fragments->cubes().second) + ", not " + std::to_string(share.begin) +
+                        std::to_string(fragments.cubes().first) + " to " +
+                        std::to_string(fragments.cubes().second) + ", not " + std::to_string(share.begin) +
                         " to " + std::to_string(share.end));
-  auto writer = FragmentWriter::create(path, {info.volume, info.log2Side, share});
-  if (!writer)
-    return writer.error();
-  auto joined = JoinedParts::create(*fragments, state_->functions(), options.memory);
-  if (!joined)
-    return joined.error();
+  auto writer = VOXC_TRY(FragmentWriter::create(path, {info.volume, info.log2Side, share}));
+  auto joined = VOXC_TRY(JoinedParts::create(fragments, state_->functions(), options.memory));
   const std::uint64_t mostBytes = options.memory->bound() / kPartsInMemory;
   const Layout &layout = state_->layout();
   PartSequence cubes(
       PartGrid::of(info.volume.extent, layout, info.log2Side).upTo(kMaxLog2Extent, layout), share.begin,
-      share.end, [&](const Cube &cube) { return hasNone(cube, *fragments); },
-      [&](const Cube &cube) { return isTooLarge(cube, *fragments, mostBytes); });
+      share.end, [&](const Cube &cube) { return hasNone(cube, fragments); },
+      [&](const Cube &cube) { return isTooLarge(cube, fragments, mostBytes); });
   BuildReport report;
   while (const auto cube = cubes.next()) {
     if (options.progress.stopped())
       return Error::interrupted();
-    auto fragment = joined->join(*cube, options.progress);
-    if (!fragment)
-      return fragment.error();
-    if (auto added = writer->add(*fragment); !added)
-      return added.error();
-    report.voxels += fragment->voxels;
+    auto fragment = VOXC_TRY(joined.join(*cube, options.progress));
+    VOXC_TRY(writer.add(fragment));
+    report.voxels += fragment.voxels;
   }
-  if (const auto left = fragments->next(); left.failed())
+  if (const auto left = fragments.next(); left.failed())
     return left.error();
   else if (!left.isEnd())
     return Error::input("a part lies outside the share of the volume that is merged");
-  if (auto finished = writer->finish(cubes.looked()); !finished)
-    return finished.error();
+  VOXC_TRY(writer.finish(cubes.looked()));
   report.scratchBytes = options.memory->scratchPeak();
   report.seconds = watch.seconds();
   report.cpuSeconds = watch.cpuSeconds();
@@ -140,17 +122,13 @@ Expected<BuildReport> Constructor::joinFragments(const std::vector<std::string> 
 }
 
 Expected<FragmentShare> checkFragment(const std::string &path) {
-  auto reader = FragmentReader::open(path);
-  if (!reader)
-    return reader.error();
-  return reader->info().share;
+  auto reader = VOXC_TRY(FragmentReader::open(path));
+  return reader.info().share;
 }
 
 Expected<Format> formatOfFragment(const std::string &path) {
-  auto reader = FragmentReader::open(path);
-  if (!reader)
-    return reader.error();
-  return reader->info().volume.format;
+  auto reader = VOXC_TRY(FragmentReader::open(path));
+  return reader.info().volume.format;
 }
 
 } // namespace voxc

@@ -153,11 +153,9 @@ bool hasCubes(const Header &header, const Layout &layout, Int3 extent) {
 } // namespace
 
 Expected<FragmentReader> FragmentReader::open(const std::string &path) {
-  auto file = MappedFile::open(path);
-  if (!file)
-    return file.error();
+  auto file = VOXC_TRY(MappedFile::open(path));
   const auto broken = [&](const std::string &problem) { return Error::input("'" + path + "' " + problem); };
-  FragmentReader reader(std::move(*file), path);
+  FragmentReader reader(std::move(file), path);
   const std::span<const std::byte> bytes = reader.bytes();
   Header header;
   if (bytes.size() >= sizeof(Header))

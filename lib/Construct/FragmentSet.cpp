@@ -43,8 +43,7 @@ Expected<void> checkRun(const std::vector<FragmentReader> &readers, std::uint64_
     if (reader.info().share.index != begin + i)
       return Error::input("fragment " + std::to_string(begin + i) + of + " is missing");
     if (i > 0)
-      if (auto follows = checkFollows(readers[i - 1], reader); !follows)
-        return follows;
+      VOXC_TRY(checkFollows(readers[i - 1], reader));
   }
   return {};
 }
@@ -100,36 +99,31 @@ Expected<FragmentSet> FragmentSet::openRun(const std::vector<std::string> &paths
                                            const std::shared_ptr<WorkingMemory> &memory) {
   std::vector<FragmentReader> readers;
   for (const std::string &path : paths) {
-    auto reader = FragmentReader::open(path);
-    if (!reader)
-      return reader.error();
-    memory->watch(reader->bytes());
-    readers.push_back(std::move(*reader));
+    auto reader = VOXC_TRY(FragmentReader::open(path));
+    memory->watch(reader.bytes());
+    readers.push_back(std::move(reader));
   }
   if (readers.empty())
     return Error::input("there is no fragment to merge");
   std::ranges::sort(readers, {}, [](const FragmentReader &reader) { return reader.info().share.index; });
   FragmentSet set(std::move(readers), memory);
-  if (auto checked = checkRun(set.readers_, set.info().share.index); !checked)
-    return checked.error();
+  VOXC_TRY(checkRun(set.readers_, set.info().share.index));
   set.sumBytes();
   return set;
 }
 
 Expected<FragmentSet> FragmentSet::open(const std::vector<std::string> &paths,
                                         const std::shared_ptr<WorkingMemory> &memory) {
-  auto set = openRun(paths, memory);
-  if (!set)
-    return set;
-  const FragmentInfo &first = set->info();
-  const std::uint64_t missing = first.share.index > 0 ? 0 : set->readers_.size();
+  auto set = VOXC_TRY(openRun(paths, memory));
+  const FragmentInfo &first = set.info();
+  const std::uint64_t missing = first.share.index > 0 ? 0 : set.readers_.size();
   if (missing < first.share.count)
     return Error::input("fragment " + std::to_string(missing) + " of " + std::to_string(first.share.count) +
                         " is missing");
-  const std::uint64_t all = PartGrid::of(first.volume.extent, set->layout(), first.log2Side).count();
-  if (set->cubes() != std::pair(std::uint64_t{0}, all))
-    return Error::input("the fragments have the cubes " + std::to_string(set->cubes().first) + " to " +
-                        std::to_string(set->cubes().second) + " of a volume of " + std::to_string(all));
+  const std::uint64_t all = PartGrid::of(first.volume.extent, set.layout(), first.log2Side).count();
+  if (set.cubes() != std::pair(std::uint64_t{0}, all))
+    return Error::input("the fragments have the cubes " + std::to_string(set.cubes().first) + " to " +
+                        std::to_string(set.cubes().second) + " of a volume of " + std::to_string(all));
   return set;
 }
 
@@ -187,12 +181,9 @@ Expected<void> FragmentSet::checkPart(const Fragment &fragment) const {
 }
 
 Expected<Fragment> FragmentSet::take() {
-  auto fragment = readers_[current_].take();
-  if (!fragment)
-    return fragment;
-  if (auto checked = checkPart(*fragment); !checked)
-    return checked.error();
-  endOfLast_ = mortonCode(fragment->cube.low) + cellCount(fragment->cube.log2Side);
+  auto fragment = VOXC_TRY(readers_[current_].take());
+  VOXC_TRY(checkPart(fragment));
+  endOfLast_ = mortonCode(fragment.cube.low) + cellCount(fragment.cube.log2Side);
   return fragment;
 }
 

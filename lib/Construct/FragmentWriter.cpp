@@ -32,19 +32,15 @@ FragmentWriter::FragmentWriter(OutputFile file, FragmentInfo info)
     : file_(std::move(file)), info_(std::move(info)), sum_(std::make_unique<Checksum>()) {}
 
 Expected<FragmentWriter> FragmentWriter::create(const std::string &path, const FragmentInfo &info) {
-  auto file = OutputFile::create(path);
-  if (!file)
-    return file.error();
-  if (!file->isRegular())
+  auto file = VOXC_TRY(OutputFile::create(path));
+  if (!file.isRegular())
     return Error::input("'" + path + "' is no file; a fragment needs one");
-  FragmentWriter writer(std::move(*file), info);
+  FragmentWriter writer(std::move(file), info);
   const Header header = headerOf(info);
   const std::string texts = printIr(info.volume.format) + info.volume.provenance;
-  if (auto written = writer.file_.write(&header, sizeof header); !written)
-    return written.error();
+  VOXC_TRY(writer.file_.write(&header, sizeof header));
   writer.bytes_ = sizeof header;
-  if (auto written = writer.write(texts.data(), texts.size()); !written)
-    return written.error();
+  VOXC_TRY(writer.write(texts.data(), texts.size()));
   return writer;
 }
 
@@ -76,8 +72,7 @@ Expected<void> FragmentWriter::add(const Fragment &fragment) {
       std::as_bytes(std::span(fragment.array)), std::as_bytes(std::span(blocks)),
       std::as_bytes(std::span(fragment.cells)), std::as_bytes(std::span(fragment.values))};
   for (const auto &piece : pieces)
-    if (auto written = write(piece.data(), piece.size()); !written)
-      return written;
+    VOXC_TRY(write(piece.data(), piece.size()));
   ++parts_;
   voxels_ += fragment.voxels;
   return {};
@@ -90,15 +85,13 @@ Expected<void> FragmentWriter::finish(std::uint64_t looked) {
                               std::to_string(header.end - header.begin) + " cubes " + std::to_string(looked) +
                               " were looked at");
   const Trailer trailer = {.bytes = bytes_ + sizeof(Trailer)};
-  if (auto written = write(&trailer, sizeof trailer); !written)
-    return written;
+  VOXC_TRY(write(&trailer, sizeof trailer));
   header.parts = parts_;
   header.looked = looked;
   header.voxels = voxels_;
   sum_->add(&header, sizeof header);
   header.checksum = sum_->digest();
-  if (auto written = file_.rewrite(0, &header, sizeof header); !written)
-    return written;
+  VOXC_TRY(file_.rewrite(0, &header, sizeof header));
   return file_.commit();
 }
 

@@ -26,11 +26,9 @@ private:
 
 Expected<JoinedParts> JoinedParts::create(FragmentSet &stream, const ConstructCode &code,
                                           const std::shared_ptr<WorkingMemory> &memory) {
-  auto words = WordStore::create(memory);
-  if (!words)
-    return words.error();
+  auto words = VOXC_TRY(WordStore::create(memory));
   auto layout = std::make_unique<Layout>(stream.layout().countingWords());
-  auto store = std::make_unique<NodeStore>(std::move(*words), *layout, memory);
+  auto store = std::make_unique<NodeStore>(std::move(words), *layout, memory);
   return JoinedParts(stream, code, std::move(layout), std::move(store));
 }
 
@@ -45,8 +43,7 @@ Expected<Fragment> JoinedParts::join(const Cube &cube, const Progress &progress)
   store_->clear();
   store_->logTo(&fragment.blocks);
   JoinHost host(stream_, *layout_, *store_, progress, fragment);
-  if (auto built = code_.part(host, cube); !built)
-    return built.error();
+  VOXC_TRY(code_.part(host, cube));
   keepWords(*store_, fragment);
   fragment.voxels = host.voxels();
   fragment.colour = host.colour();

@@ -66,8 +66,7 @@ void NodeMap::fetchNode(std::uint32_t hash, std::span<const std::uint32_t> writt
 
 Expected<void> NodeMap::insert(std::uint32_t hash, std::uint32_t offset) {
   if (log2Size_ == 0 || 4 * (used_ + 1) > std::uint64_t{3} << log2Size_)
-    if (auto grown = grow(); !grown)
-      return grown;
+    VOXC_TRY(grow());
   place({offset, hash});
   return {};
 }
@@ -86,8 +85,7 @@ void NodeMap::clear() {
 Expected<void> NodeMap::grow() {
   ScratchArray<Entry> larger(memory_);
   const int log2Size = std::max(log2Size_ + 1, kLog2Smallest);
-  if (auto resized = larger.resize(std::uint64_t{1} << log2Size); !resized)
-    return resized;
+  VOXC_TRY(larger.resize(std::uint64_t{1} << log2Size));
   const std::uint64_t size = used_ == 0 ? 0 : std::uint64_t{1} << log2Size_;
   std::swap(entries_, larger);
   log2Size_ = log2Size;

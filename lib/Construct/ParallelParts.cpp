@@ -19,13 +19,10 @@ ParallelParts::start(const VoxelSource &source, const ConstructCode &code, const
       new ParallelParts(std::move(view), grid, begin, end, threads, progress));
   std::vector<PartBuilder> builders;
   for (unsigned i = 0; i < threads; ++i) {
-    auto builder = PartBuilder::create(source.view(), code, layout, memory);
-    if (!builder)
-      return builder.error();
-    builders.push_back(std::move(*builder));
+    auto builder = VOXC_TRY(PartBuilder::create(source.view(), code, layout, memory));
+    builders.push_back(std::move(builder));
   }
-  if (auto started = parts->startThreads(std::move(builders)); !started)
-    return started.error();
+  VOXC_TRY(parts->startThreads(std::move(builders)));
   return parts;
 }
 

@@ -113,10 +113,8 @@ void keepWords(NodeStore &store, Fragment &fragment) {
 Expected<PartBuilder> PartBuilder::create(std::unique_ptr<VoxelSource> source, const ConstructCode &code,
                                           const Layout &layout,
                                           const std::shared_ptr<WorkingMemory> &memory) {
-  auto words = WordStore::create(memory);
-  if (!words)
-    return words.error();
-  auto store = std::make_unique<NodeStore>(std::move(*words), layout.countingWords(), memory);
+  auto words = VOXC_TRY(WordStore::create(memory));
+  auto store = std::make_unique<NodeStore>(std::move(words), layout.countingWords(), memory);
   return PartBuilder(std::move(source), code, layout.voxelFacts(), std::move(store));
 }
 
@@ -126,8 +124,7 @@ Expected<Fragment> PartBuilder::build(const Cube &cube, const Progress &progress
   store_->clear();
   store_->logTo(&fragment.blocks);
   PartHost host(*source_, *store_, facts_, progress, fragment);
-  if (auto built = code_.part(host, cube); !built)
-    return built.error();
+  VOXC_TRY(code_.part(host, cube));
   keepWords(*store_, fragment);
   fragment.voxels = host.voxels();
   fragment.colour = host.colour();

@@ -26,14 +26,12 @@ Expected<BuildReport> splitVolume(const Volume &volume, std::uint64_t index, std
   const Stopwatch watch;
   const PartGrid grid = PartGrid::of(volume.info().extent, volume.layout(), kLog2Part);
   const auto [begin, end] = grid.range(index, count);
-  auto writer = FragmentWriter::create(path, {volume.info(), grid.log2Side, {index, count, begin, end}});
-  if (!writer)
-    return writer.error();
+  auto writer =
+      VOXC_TRY(FragmentWriter::create(path, {volume.info(), grid.log2Side, {index, count, begin, end}}));
   Extraction extraction(volume.words(), volume.layout());
   if (!extraction.canTakeOut())
-    return Error::usage(
-        "parts of a volume with mirror=yes cannot be taken out of it, since its nodes do not say "
-        "which reflections leave them as they are; build the parts from the input");
+    return Error::usage("parts of a volume with mirror=yes cannot be taken out of it, since its nodes do not "
+                        "say which reflections leave them as they are; build the parts from the input");
   BuildReport report;
   MortonProgress steps(volume.info().extent, progress);
   std::uint64_t part = begin;
@@ -44,12 +42,10 @@ Expected<BuildReport> splitVolume(const Volume &volume, std::uint64_t index, std
     const Fragment fragment = extraction.cube(low, grid.log2Side);
     if (isEmpty(fragment))
       continue;
-    if (auto added = writer->add(fragment); !added)
-      return added.error();
+    VOXC_TRY(writer.add(fragment));
     report.voxels += fragment.voxels;
   }
-  if (auto finished = writer->finish(part - begin); !finished)
-    return finished.error();
+  VOXC_TRY(writer.finish(part - begin));
   report.seconds = watch.seconds();
   report.cpuSeconds = watch.cpuSeconds();
   return report;

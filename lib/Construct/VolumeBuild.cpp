@@ -23,15 +23,11 @@ Expected<std::unique_ptr<VolumeBuild>> VolumeBuild::start(VolumeInfo info, const
   // Counted at the end; their record has its room in the head from the beginning.
   build->info_.wordCounts = WordCounts{std::vector<std::uint64_t>(layout.strata.size()), 0};
   build->maxWords_ = std::min(options.maxWords, layout.maxWords());
-  auto words = build->openWords();
-  if (!words)
-    return words.error();
-  const std::vector<std::uint32_t> head(layout.headWords() - words->size());
-  if (auto begun = words->append(head); !begun)
-    return begun.error();
-  if (auto skipped = words->skip(emptyWords); !skipped)
-    return skipped.error();
-  build->store_ = std::make_unique<NodeStore>(std::move(*words), layout, options.memory);
+  auto words = VOXC_TRY(build->openWords());
+  const std::vector<std::uint32_t> head(layout.headWords() - words.size());
+  VOXC_TRY(words.append(head));
+  VOXC_TRY(words.skip(emptyWords));
+  build->store_ = std::make_unique<NodeStore>(std::move(words), layout, options.memory);
   build->values_ = std::make_unique<ValueStore>(*build->store_, layout.voxelFacts(), options.memory);
   build->store_->limit(build->maxWords_);
   build->store_->countReferences();
@@ -42,23 +38,18 @@ Expected<void> VolumeBuild::openFile() {
   if (options_.path.empty())
     return {};
   if (options_.compress) {
-    auto writer = PagedFileWriter::create(options_.path);
-    if (!writer)
-      return writer.error();
-    pagedWriter_.emplace(std::move(*writer));
+    auto writer = VOXC_TRY(PagedFileWriter::create(options_.path));
+    pagedWriter_.emplace(std::move(writer));
   }
   // Compressed, the words lie there until they are complete; no name is given to this file then.
-  auto writer = VolumeFileWriter::create(options_.path, info_);
-  if (!writer)
-    return writer.error();
-  if (writer->canFlush())
-    streamWriter_.emplace(std::move(*writer));
+  auto writer = VOXC_TRY(VolumeFileWriter::create(options_.path, info_));
+  if (writer.canFlush())
+    streamWriter_.emplace(std::move(writer));
   return {};
 }
 
 Expected<WordStore> VolumeBuild::openWords() {
-  if (auto opened = openFile(); !opened)
-    return opened.error();
+  VOXC_TRY(openFile());
   if (!streamWriter_)
     return WordStore::create(options_.memory, {}, maxWords_);
   const auto flush = [this](MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes) {
@@ -111,10 +102,9 @@ void VolumeBuild::appendValues() {
   values_->finish(words, maxWords_);
   words.setHead(1, layout_.refOf(section));
   if (words.size() - section > layout_.maxNodeWords())
-    store_->fail(
-        Error::input("the values of the voxels take " + std::to_string(words.size() - section) +
-                     " words, more than the 2^32 - 2^28 that a kernel can reach where references count "
-                     "granules; a lower resolution would fit"));
+    store_->fail(Error::input("the values of the voxels take " + std::to_string(words.size() - section) +
+                              " words, more than the 2^32 - 2^28 that a kernel can reach where references "
+                              "count granules; a lower resolution would fit"));
 }
 
 Expected<void> VolumeBuild::proveWords(std::span<const std::uint32_t> words) const {
@@ -172,8 +162,7 @@ Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, st
   info_.voxels = voxels;
   const auto span = words.span();
   if (origin == Origin::Foreign)
-    if (auto proved = proveWords(span); !proved)
-      return proved.error();
+    VOXC_TRY(proveWords(span));
   options_.progress.at("write", 0);
   const Stopwatch writing;
   wordsReached_ = span.size();
@@ -186,11 +175,9 @@ Expected<Built> VolumeBuild::finish(std::uint32_t root, std::uint64_t voxels, st
   info_.wordCounts = countsOf(report);
   std::vector<Stream> streams = {wordStream(span)};
   if (streamWriter_ && !pagedWriter_)
-    if (auto finished = streamWriter_->finish(info_, streams, words.flushed(), *options_.memory); !finished)
-      return finished.error();
+    VOXC_TRY(streamWriter_->finish(info_, streams, words.flushed(), *options_.memory));
   Volume volume(std::move(info_), std::move(streams), std::make_shared<const MemoryBlock>(words.take()));
-  if (auto saved = save(volume); !saved)
-    return saved.error();
+  VOXC_TRY(save(volume));
   report.writeSeconds = writing.seconds();
   report.seconds = watch_.seconds();
   report.cpuSeconds = watch_.cpuSeconds();

@@ -11,25 +11,22 @@ namespace voxc {
 
 Expected<ConstructionOfFormat> ConstructionOfFormat::compile(const Format &format,
                                                              const CompileCache *cache) {
-  auto plan = makePlan(format);
-  if (!plan)
-    return plan.error();
-  const std::string text = emitConstruct(*plan);
+  auto plan = VOXC_TRY(makePlan(format));
+  const std::string text = emitConstruct(plan);
   // -O1: a third less compile time than -O2, and builds that are as fast; they wait for the source, not for
   // this code. Only sweeps over distances gain from vectors.
   std::vector<MemoryFile> files = {{"construct.cpp", text}};
   for (const EmbeddedFile &header : constructHeaders())
     files.push_back({std::string(header.path), header.text});
-  auto code = JitCode::compile(files, {.optimisation = 1, .vectorLoops = true}, cache, toString(format));
-  if (!code)
-    return code.error();
-  auto whole = code->find("voxc_construct");
-  auto part = code->find("voxc_construct_part");
+  auto code =
+      VOXC_TRY(JitCode::compile(files, {.optimisation = 1, .vectorLoops = true}, cache, toString(format)));
+  auto whole = code.find("voxc_construct");
+  auto part = code.find("voxc_construct_part");
   if (!whole || !part)
     return whole ? part.error() : whole.error();
   const ConstructCode functions(reinterpret_cast<ConstructCode::Whole>(*whole),
                                 reinterpret_cast<ConstructCode::Part>(*part));
-  return ConstructionOfFormat{storageFormat(format), std::move(plan->layout), std::move(*code), functions};
+  return ConstructionOfFormat{storageFormat(format), std::move(plan.layout), std::move(code), functions};
 }
 
 namespace {
@@ -75,32 +72,28 @@ Expected<void> checkEnd(PartStream &parts) {
 
 BuildResult buildWhole(VoxelSource &source, const ConstructionOfFormat &construction,
                        const BuildOptions &options, std::uint64_t emptyWords) {
-  auto build = VolumeBuild::start(infoOf(source, construction.format, options), construction.layout, options,
-                                  emptyWords);
-  if (!build)
-    return build.error();
-  WholeHost host(source, **build, construction.layout.voxelFacts(), options.progress);
+  auto build = VOXC_TRY(VolumeBuild::start(infoOf(source, construction.format, options), construction.layout,
+                                           options, emptyWords));
+  WholeHost host(source, *build, construction.layout.voxelFacts(), options.progress);
   const auto root = construction.functions.whole(host);
   if (!root)
-    return {root.error(), (*build)->wordsReached()};
-  auto built = (*build)->finish(*root, host.voxels(), host.colour());
-  return {std::move(built), (*build)->wordsReached()};
+    return {root.error(), build->wordsReached()};
+  auto built = build->finish(*root, host.voxels(), host.colour());
+  return {std::move(built), build->wordsReached()};
 }
 
 BuildResult joinParts(PartStream &parts, VolumeInfo info, const ConstructionOfFormat &construction,
                       const BuildOptions &options, Origin origin) {
   const Int3 extent = info.extent;
-  auto build = VolumeBuild::start(std::move(info), construction.layout, options);
-  if (!build)
-    return build.error();
-  WholeMergeHost host(parts, construction.layout, extent, **build, options.progress);
+  auto build = VOXC_TRY(VolumeBuild::start(std::move(info), construction.layout, options));
+  WholeMergeHost host(parts, construction.layout, extent, *build, options.progress);
   const auto root = construction.functions.whole(host);
   if (!root)
-    return {root.error(), (*build)->wordsReached()};
+    return {root.error(), build->wordsReached()};
   if (auto end = checkEnd(parts); !end)
-    return {end.error(), (*build)->wordsReached()};
-  auto built = (*build)->finish(*root, host.voxels(), host.colour(), origin);
-  return {std::move(built), (*build)->wordsReached()};
+    return {end.error(), build->wordsReached()};
+  auto built = build->finish(*root, host.voxels(), host.colour(), origin);
+  return {std::move(built), build->wordsReached()};
 }
 
 } // namespace voxc

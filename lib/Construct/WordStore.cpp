@@ -31,16 +31,14 @@ Expected<WordStore> WordStore::create(const std::shared_ptr<WorkingMemory> &memo
   WordStore store(memory);
   store.flush_ = std::move(flush);
   store.flushedBegin_ = store.flushedEnd_ = WorkingMemory::pageBytes();
-  if (auto begun = store.begin(memory->reserve(mostWords * sizeof(std::uint32_t))); !begun)
-    return begun.error();
+  VOXC_TRY(store.begin(memory->reserve(mostWords * sizeof(std::uint32_t))));
   return store;
 }
 
 Expected<WordStore> WordStore::createShared(const std::shared_ptr<WorkingMemory> &memory,
                                             std::uint64_t mostWords) {
   WordStore store(memory);
-  if (auto begun = store.begin(memory->reserveShared(mostWords * sizeof(std::uint32_t))); !begun)
-    return begun.error();
+  VOXC_TRY(store.begin(memory->reserveShared(mostWords * sizeof(std::uint32_t))));
   return store;
 }
 
@@ -56,8 +54,7 @@ Expected<void> WordStore::append(std::span<const std::uint32_t> words) {
   while (!words.empty()) {
     const auto piece = words.first(std::min<std::uint64_t>(words.size(), kPieceWords));
     if (bytes() + piece.size_bytes() > block_.size())
-      if (auto room = makeRoom(piece.size()); !room)
-        return room;
+      VOXC_TRY(makeRoom(piece.size()));
     copyWords(piece, this->words() + size_);
     size_ += piece.size();
     words = words.subspan(piece.size());
@@ -69,16 +66,14 @@ Expected<void> WordStore::append(std::span<const std::uint32_t> words) {
 
 Expected<void> WordStore::skip(std::uint64_t words) {
   if (bytes() + words * sizeof(std::uint32_t) > block_.size())
-    if (auto room = makeRoom(words); !room)
-      return room;
+    VOXC_TRY(makeRoom(words));
   size_ += words;
   return {};
 }
 
 Expected<void> WordStore::makeRoom(std::uint64_t words) {
   if (flush_)
-    if (auto flushed = flushComplete(); !flushed)
-      return flushed;
+    VOXC_TRY(flushComplete());
   const std::uint64_t needed = bytes() + words * sizeof(std::uint32_t) - block_.size();
   const std::uint64_t step = std::clamp(block_.size(), kSmallestStep, flush_ ? kFlushedBytes : kLargestStep);
   const std::uint64_t more = std::max(needed, step);
@@ -89,8 +84,7 @@ Expected<void> WordStore::flushComplete() {
   const std::uint64_t end = bytes() / WorkingMemory::pageBytes() * WorkingMemory::pageBytes();
   if (end <= flushedEnd_)
     return {};
-  if (auto flushed = flush_(block_, flushedEnd_, end - flushedEnd_); !flushed)
-    return flushed;
+  VOXC_TRY(flush_(block_, flushedEnd_, end - flushedEnd_));
   flushedEnd_ = end;
   return {};
 }

@@ -7,7 +7,6 @@
 
 #include "voxc/Emit/Emit.h"
 
-#include <algorithm>
 #include <set>
 
 namespace voxc {

@@ -32,8 +32,7 @@ std::string emitEdit(const Plan &given) {
     construction.looksAhead = false; // There are too few nodes for it.
   return "// edit.cpp: edits volumes of the format " + plan.layout.format +
          ": what an edit touches is written anew, from the cells up to the root, and all\n// else stays "
-         "where "
-         "it is.\n" +
+         "where it is.\n" +
          constructLevels(plan, kForm) + "\nusing Volume = " + subVolumeOf(plan, kForm, 0) +
          ";\n\n} // namespace\n\n#include \"voxc_edit_entry.h\"\n";
 }

@@ -77,13 +77,11 @@ Expected<glsl::Module> moduleOf(KernelBuilder builder, const HeaderLanguageKind 
     roots.insert("lacks_page");
   for (const std::string_view name : kCalled)
     roots.insert(prefix + std::string(name));
-  auto module = std::move(builder).specialised(roots);
-  if (!module)
-    return module;
-  glsl::addParameter(*module, "load_word", {glsl::Passing::In, std::string(language.volume), "volume"});
-  glsl::addPrefix(*module, prefix);
+  auto module = VOXC_TRY(std::move(builder).specialised(roots));
+  glsl::addParameter(module, "load_word", {glsl::Passing::In, std::string(language.volume), "volume"});
+  glsl::addPrefix(module, prefix);
   if (language.makeReady)
-    language.makeReady(*module);
+    language.makeReady(module);
   return module;
 }
 

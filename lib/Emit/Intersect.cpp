@@ -16,8 +16,8 @@ std::string preamble(const Plan &plan) {
                      " volumes of the format " + plan.layout.format + ".\n// The digest of its storage is " +
                      hexadecimal(plan.layout.storageDigest) + ", and that of a volume must be the same.\n";
   if (plan.addressing == Addressing::Segments)
-    text += "#extension GL_EXT_buffer_reference : require\n#extension GL_EXT_buffer_reference_uvec2 : "
-            "require\n";
+    text +=
+        "#extension GL_EXT_buffer_reference : require\n#extension GL_EXT_buffer_reference_uvec2 : require\n";
   // SPIR-V's capability and execution mode RoundingModeRTE. An extension is not declared: 1.4 has them, and
   // spirv-opt leaves modules of extensions that it does not know alone.
   if (plan.arithmetic == Arithmetic::Nearest)

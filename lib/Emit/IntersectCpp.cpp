@@ -10,7 +10,6 @@
 #include "voxc/Emit/Emit.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <set>
 
@@ -105,8 +104,7 @@ std::string planText(const Plan &plan, std::string_view header, bool countWords)
   std::string text;
   if (plan.packetWidth == PacketWidth::Narrow)
     text += "#define VOXC_NARROW_PACKETS // Each level has a loop, and lanes in one wait for those in "
-            "another: fewer "
-            "lanes, less waiting.\n";
+            "another: fewer lanes, less waiting.\n";
   text += "#include \"voxc_interface.h\"\n\nnamespace {\n\nusing namespace voxc::glsl;\n\n// What the plan "
           "decides.\n"
           "struct Plan {\n";

@@ -167,8 +167,7 @@ Expected<glsl::Module> KernelBuilder::specialised(const glsl::Names &roots) && {
   glsl::dropUnused(module_, roots);
   if (plan_.sharesStack())
     glsl::shareArrays(module_, "path");
-  if (const auto verified = glsl::verify(module_, kExternals); !verified)
-    return verified.error();
+  VOXC_TRY(glsl::verify(module_, kExternals));
   glsl::fold(module_, {});          // Conversions that types show to be none,
   glsl::dropUnused(module_, roots); // and members.
   return std::move(module_);

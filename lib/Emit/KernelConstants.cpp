@@ -8,7 +8,6 @@
 #include "voxc/Layout/SlotKind.h"
 
 #include <algorithm>
-#include <array>
 
 namespace voxc {
 namespace {

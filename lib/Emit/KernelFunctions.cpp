@@ -9,7 +9,6 @@
 #include "voxc/Layout/SlotKind.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace voxc {
 namespace {

@@ -1,7 +1,6 @@
 // What each target asks of a plan: as the options say that plans are made with for it (voxc/Plan/Plan.h).
 #include "voxc/Emit/Emit.h"
 
-#include <algorithm>
 #include <array>
 #include <string_view>
 

@@ -3,9 +3,10 @@
 
 #include "voxc/Facts/Facts.h"
 
+#include "Support/HashTable.h"
+
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace voxc {
 
@@ -14,22 +15,20 @@ namespace voxc {
 class DistinctSet {
 public:
   /// Keeps `most` values at most (1 or more).
-  explicit DistinctSet(std::size_t most);
+  explicit DistinctSet(std::size_t most) : most_(most) {}
 
   /// Adds a value that is not 0.
   void insert(std::uint64_t value);
-  DistinctCount count() const { return {std::uint64_t{used_} << level_, level_ == 0}; }
+  DistinctCount count() const { return {std::uint64_t{hashes_.size()} << level_, level_ == 0}; }
 
 private:
-  void place(std::uint64_t hash);
-  void rebuild(int log2Slots);
+  struct Nothing {};
+
   bool isSampled(std::uint64_t hash) const { return (hash & ((std::uint64_t{1} << level_) - 1)) == 0; }
 
   std::size_t most_;
-  std::vector<std::uint64_t> slots_; ///< Hashes, probed linearly; 0 is free. Half full at most.
-  int log2Slots_ = 0;
+  HashTable<Nothing> hashes_;
   int level_ = 0; ///< Zeros that the hash of a kept value ends in.
-  std::size_t used_ = 0;
 };
 
 } // namespace voxc

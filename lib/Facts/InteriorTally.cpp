@@ -115,8 +115,7 @@ InteriorTally::Waiting *InteriorTally::find(std::uint64_t key) {
 
 Expected<void> InteriorTally::insert(const Waiting &brick) {
   if (2 * (used_ + 1) > table_.size())
-    if (auto swept = sweep(brick.key - 1); !swept)
-      return swept;
+    VOXC_TRY(sweep(brick.key - 1));
   place(brick);
   return {};
 }
@@ -138,8 +137,7 @@ Expected<void> InteriorTally::sweep(std::uint64_t now) {
   };
   const auto left = static_cast<std::uint64_t>(std::ranges::count_if(table_.span(), waits));
   ScratchArray<Waiting> next(memory_);
-  if (auto resized = next.resize(std::max(kSmallestTable, std::bit_ceil(4 * left))); !resized)
-    return resized;
+  VOXC_TRY(next.resize(std::max(kSmallestTable, std::bit_ceil(4 * left))));
   std::swap(table_, next);
   used_ = 0;
   for (const Waiting &brick : next.span()) {

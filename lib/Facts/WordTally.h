@@ -1,6 +1,8 @@
 // How often each word occurs, in bounded memory, and the entropy of that.
 #pragma once
 
+#include "Support/HashTable.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -11,7 +13,7 @@ namespace voxc {
 class WordTally {
 public:
   /// Keeps `most` different words at most (1 or more).
-  explicit WordTally(std::size_t most);
+  explicit WordTally(std::size_t most) : most_(most) {}
 
   /// Counts a word, which is not 0, so many times more. False if it has been counted before; true may be said
   /// of any word once `exact` is false.
@@ -23,19 +25,11 @@ public:
   double entropy() const;
 
 private:
-  struct Entry {
-    std::uint64_t count = 0; ///< 0: free.
-    std::uint32_t word = 0;
-  };
-
-  Entry &find(std::uint32_t word);
-  void grow();
   void joinToGroups();
   std::uint64_t &groupOf(std::uint32_t word);
 
   std::size_t most_;
-  std::vector<Entry> entries_; ///< Probed linearly, half full at most.
-  std::size_t used_ = 0;
+  HashTable<std::uint64_t, std::uint32_t> counts_;
   std::vector<std::uint64_t> groups_; ///< Counts by the hash of words; empty while words are counted.
 };
 

@@ -6,7 +6,6 @@
 #include "Glsl/Types.h"
 #include "Glsl/Visit.h"
 
-#include <algorithm>
 #include <array>
 
 namespace voxc::glsl {

@@ -188,10 +188,8 @@ Parameter Parser::parameter() {
 }
 
 Expected<Module> parse(std::string_view text) {
-  auto tokens = tokensOf(text);
-  if (!tokens)
-    return tokens.error();
-  return Parser(std::move(*tokens)).parse();
+  auto tokens = VOXC_TRY(tokensOf(text));
+  return Parser(std::move(tokens)).parse();
 }
 
 } // namespace voxc::glsl

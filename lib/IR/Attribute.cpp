@@ -26,9 +26,8 @@ constexpr std::array<std::string_view, 36> kPayloadValues = {
 constexpr std::array<std::string_view, 9> kGranuleValues = {"word", "2",  "4",   "8",  "16",
                                                             "32",   "64", "128", "256"};
 
-constexpr AttributeList kOutputs = {"outputs",
-                                    "what the kernel stores of a closest hit; the rest is 0, and no "
-                                    "work is done for it"};
+constexpr AttributeList kOutputs = {
+    "outputs", "what the kernel stores of a closest hit; the rest is 0, and no work is done for it"};
 
 } // namespace
 
@@ -44,18 +43,15 @@ const TypedAttribute<Detail> kDetailAttribute = {
 
 const TypedAttribute<LevelTraversal> kLevelsAttribute = {
     {"levels", AttributeEffect::Traversal, kEnumNames<LevelTraversal>,
-     "how the kernel goes from level to level: by a loop for each, by one "
-     "loop through all, by one that goes down "
-     "from the root in each turn, or by what is fastest as a rule",
+     "how the kernel goes from level to level: by a loop for each, by one loop through all, by one that goes "
+     "down from the root in each turn, or by what is fastest as a rule",
      nullptr, "--nested-traversal, --flat-traversal or --direct-traversal"},
     as<LevelTraversal>};
 
 const TypedAttribute<Stack> kStackAttribute = {
     {"stack", AttributeEffect::Traversal, kEnumNames<Stack>,
      "where a traversal keeps the nodes above a cell, if it keeps any: in memory of each ray's own, or in "
-     "that of "
-     "a "
-     "group of rays, which kernels for the cpu and functions for others do not have",
+     "that of a group of rays, which kernels for the cpu and functions for others do not have",
      nullptr, "--shared-stack"},
     as<Stack>};
 
@@ -89,24 +85,21 @@ const TypedAttribute<bool> kColourAttribute = {{"colour", AttributeEffect::Trave
                                                 &kOutputs},
                                                isFirst};
 
-const TypedAttribute<bool> kIndexAttribute = {
-    {"index",
-     AttributeEffect::Traversal,
-     kNoValues,
-     "whether the kernel stores, in place of the colour, the number of "
-     "a closest hit's voxel among all of the "
-     "volume",
-     &kOutputs,
-     {},
-     &kValuesAttribute},
-    isSecond};
+const TypedAttribute<bool> kIndexAttribute = {{"index",
+                                               AttributeEffect::Traversal,
+                                               kNoValues,
+                                               "whether the kernel stores, in place of the colour, the "
+                                               "number of a closest hit's voxel among all of the volume",
+                                               &kOutputs,
+                                               {},
+                                               &kValuesAttribute},
+                                              isSecond};
 
-const AttributeKind kPayloadAttribute = {"payload", AttributeEffect::Storage, kPayloadValues,
-                                         "what a voxel is: a colour of four bytes; or nothing but that it is "
-                                         "there, white or of the one colour of all "
-                                         "voxels; or one of at most 2^n colours in a table; or a colour of "
-                                         "5, 6 and 5 bits; or a label of n bits. A build "
-                                         "proves what is stated"};
+const AttributeKind kPayloadAttribute = {
+    "payload", AttributeEffect::Storage, kPayloadValues,
+    "what a voxel is: a colour of four bytes; or nothing but that it is there, white or of the one colour of "
+    "all voxels; or one of at most 2^n colours in a table; or a colour of 5, 6 and 5 bits; or a label of n "
+    "bits. A build proves what is stated"};
 
 const TypedAttribute<Alpha> kAlphaAttribute = {
     {"alpha", AttributeEffect::Storage, kEnumNames<Alpha>,

@@ -5,7 +5,6 @@
 #include "voxc/IR/Query.h"
 #include "voxc/Layout/Layout.h"
 
-#include <algorithm>
 #include <vector>
 
 namespace voxc {

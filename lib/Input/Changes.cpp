@@ -35,14 +35,12 @@ bool isSaid(const std::string &provenance, Interior interior) {
 Expected<void> changeInside(Input &input, const InputOptions &options) {
   const Stopwatch finding;
   const InteriorOptions means{options.memory, options.threads, options.progress};
-  auto changed = options.interior == Interior::Drop
-                     ? dropInterior(std::move(input.source), means)
-                     : fillInterior(std::move(input.source), options.fillWord, means);
-  if (!changed)
-    return changed.error();
-  input.source = std::move(changed->source);
+  auto changed = VOXC_TRY(options.interior == Interior::Drop
+                              ? dropInterior(std::move(input.source), means)
+                              : fillInterior(std::move(input.source), options.fillWord, means));
+  input.source = std::move(changed.source);
   input.interior = options.interior;
-  input.interiorVoxels = changed->voxels;
+  input.interiorVoxels = changed.voxels;
   input.interiorSeconds = finding.seconds();
   return {};
 }
@@ -52,9 +50,9 @@ void tellInside(Input &input, Interior interior, const InputOptions &options) {
   const std::string voxels = std::to_string(input.interiorVoxels) + " voxels ";
   if (interior == Interior::Drop) {
     input.provenance = withProvenance(input.provenance, "interior", "drop");
-    input.notes.push_back(voxels +
-                          "that no ray from outside comes to are left out; rays that begin among them "
-                          "do not find them");
+    input.notes.push_back(
+        voxels +
+        "that no ray from outside comes to are left out; rays that begin among them do not find them");
     return;
   }
   input.provenance = withProvenance(input.provenance, "interior", "fill");
@@ -64,12 +62,10 @@ void tellInside(Input &input, Interior interior, const InputOptions &options) {
 
 Expected<void> cropBorder(Input &input, const InputOptions &options) {
   const Int3 before = input.source->extent();
-  auto cropped = crop(std::move(input.source), options.progress);
-  if (!cropped)
-    return cropped.error();
-  input.source = std::move(cropped->source);
+  auto cropped = VOXC_TRY(crop(std::move(input.source), options.progress));
+  input.source = std::move(cropped.source);
   input.isCropped = true;
-  input.cropLow = cropped->low;
+  input.cropLow = cropped.low;
   if (before == input.source->extent())
     return {};
   input.provenance = withProvenance(input.provenance, "crop", listed(input.cropLow, ","));
@@ -87,8 +83,7 @@ Expected<void> applyChanges(Input &input, const InputOptions &options) {
   if (interior != Interior::Keep && !isSaid(input.provenance, interior)) {
     // The inside of a mesh is filled where its triangles are at hand.
     if (input.interior != interior)
-      if (auto changed = changeInside(input, options); !changed)
-        return changed;
+      VOXC_TRY(changeInside(input, options));
     tellInside(input, interior, options);
   }
   return options.crop ? cropBorder(input, options) : Expected<void>();

@@ -24,9 +24,8 @@ namespace {
 
 /// Stands for the optional component where it was left out.
 Expected<Input> lackOpenVdb(const std::string &path, const InputOptions &) {
-  return Error::environment("'" + path +
-                            "' is an OpenVDB file, which this build does not read; build voxc with "
-                            "VOXC_OPENVDB=ON");
+  return Error::environment(
+      "'" + path + "' is an OpenVDB file, which this build does not read; build voxc with VOXC_OPENVDB=ON");
 }
 
 Expected<Input> lackAssimp(const std::string &path, const InputOptions &) {
@@ -141,11 +140,10 @@ void tellSpacing(const std::string &text, const InputOptions &options, Input &in
     return;
   std::array<char, 32> shortest{};
   std::snprintf(shortest.data(), shortest.size(), "%.6g", least);
-  input.warnings.push_back(
-      "its voxels are " + byThree(sides) +
-      " and no cubes: pictures, pages, .glb, .nvdb and .vdb files keep that, all else shows "
-      "it squashed; --voxel-size " +
-      std::string(shortest.data()) + " makes cubes of them");
+  input.warnings.push_back("its voxels are " + byThree(sides) +
+                           " and no cubes: pictures, pages, .glb, .nvdb and .vdb files keep that, all else "
+                           "shows it squashed; --voxel-size " +
+                           std::string(shortest.data()) + " makes cubes of them");
 }
 
 } // namespace
@@ -154,15 +152,12 @@ Expected<Input> openInput(const std::string &input, const InputOptions &options)
   InputOptions withMemory = options;
   if (!withMemory.memory)
     withMemory.memory = WorkingMemory::createDefault();
-  Expected<Input> opened = dispatch(input, withMemory);
-  if (!opened)
-    return opened;
-  tellSpacing(input, options, *opened);
-  if (opened->words != options.materialWords)
+  auto opened = VOXC_TRY(dispatch(input, withMemory));
+  tellSpacing(input, options, opened);
+  if (opened.words != options.materialWords)
     return Error::input("'" + input + "' says nothing of light and metal; meshes and .vox files do");
-  if (auto changed = applyChanges(*opened, withMemory); !changed)
-    return changed.error();
-  const Int3 extent = opened->source->extent();
+  VOXC_TRY(applyChanges(opened, withMemory));
+  const Int3 extent = opened.source->extent();
   const Int3 holds = options.formatExtent;
   if (extent.x > holds.x || extent.y > holds.y || extent.z > holds.z)
     return Error::input("'" + input + "' takes " + toText(extent) + " voxels, but the format holds " +

@@ -115,8 +115,7 @@ Expected<void> checkGrid(const InputArguments &arguments, const std::string &inp
   const auto length = parseLength(arguments.voxelSize);
   if (!arguments.unit.empty() && !(length && length->metres > 0))
     return Error::usage(
-        "--unit says what a --voxel-size such as 5mm means, and would do nothing without; leave it "
-        "out");
+        "--unit says what a --voxel-size such as 5mm means, and would do nothing without; leave it out");
   return {};
 }
 
@@ -142,15 +141,13 @@ Expected<void> checkInputArguments(const InputArguments &arguments, const std::s
     return Error::usage("--threshold takes a number, not nan");
   const std::optional<InputMatter> matter = matterOf(input);
   if (matter == kModels)
-    if (auto checked = checkModelsMap(arguments.colourMap); !checked)
-      return checked;
+    VOXC_TRY(checkModelsMap(arguments.colourMap));
   if (matter)
     for (const MeaningRow &row : kMeanings)
       if (row.isGiven(arguments) && !(row.matters & *matter))
         return Error::usage(std::string(row.name) + " is for " + row.text + ", and would do nothing for '" +
                             input + "'; leave it out");
-  if (auto checked = checkGrid(arguments, input); !checked)
-    return checked;
+  VOXC_TRY(checkGrid(arguments, input));
   if (!arguments.grid.empty() && !endsIn(input, {".nvdb", ".vdb", ".npz", ".vti"}))
     return Error::usage("--grid is for .nvdb, .vdb, .npz and .vti files, and would do nothing for '" + input +
                         "'; leave it out");

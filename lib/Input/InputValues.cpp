@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <iterator>
 #include <system_error>
 
 namespace voxc {
@@ -86,8 +85,7 @@ std::string problemOfVoxelSize(const std::string &text) {
   if (text.find_first_of(",x") != std::string::npos)
     return "'" + text +
            "' is no size of voxels, which are cubes; write one number, such as the least of these, and scans "
-           "of other "
-           "spacings are made anew in cubes of it";
+           "of other spacings are made anew in cubes of it";
   return "'" + text + "' is no size of a voxel; write a number above 0, with a unit or without: one of " +
          unitNames();
 }
@@ -98,16 +96,11 @@ std::string problemOfUnit(const std::string &text) {
 
 Expected<void> checkInputValues(const InputArguments &arguments) {
   for (const ChoiceRow &row : choices())
-    if (auto checked = checkChoice(row, arguments.*row.value); !checked)
-      return checked;
-  if (auto checked = checkNumber("--resolution", arguments.resolution, 1 << kMaxLog2Extent); !checked)
-    return checked;
-  if (auto checked = checkNumber("--volume", arguments.volume, kMostVolumes); !checked)
-    return checked;
-  if (auto checked = checkText(arguments.voxelSize, problemOfVoxelSize); !checked)
-    return checked;
-  if (auto checked = checkText(arguments.unit, problemOfUnit); !checked)
-    return checked;
+    VOXC_TRY(checkChoice(row, arguments.*row.value));
+  VOXC_TRY(checkNumber("--resolution", arguments.resolution, 1 << kMaxLog2Extent));
+  VOXC_TRY(checkNumber("--volume", arguments.volume, kMostVolumes));
+  VOXC_TRY(checkText(arguments.voxelSize, problemOfVoxelSize));
+  VOXC_TRY(checkText(arguments.unit, problemOfUnit));
   return checkText(arguments.fillColour, problemOfFillColour);
 }
 

@@ -38,8 +38,7 @@ Expected<Kernel> compileGlsl(std::string_view glsl, const Plan &plan, bool optim
     return module.error();
   Kernel kernel = kernelOf(plan);
   kernel.spirv = addModuleProcessed(*module, kernelFacts(kernel));
-  if (auto valid = validateSpirv(kernel.spirv); !valid)
-    return valid.error();
+  VOXC_TRY(validateSpirv(kernel.spirv));
   return kernel;
 }
 
@@ -73,11 +72,8 @@ Expected<std::vector<std::uint32_t>> compileRayShader(const Plan &plan, std::str
   const std::string glsl = emitRayShader(plan, name, stage);
   const std::string header = emitHeader(plan, name);
   const std::string headerName = headerFile(name);
-  auto module = glslToSpirv({kStages[static_cast<std::size_t>(stage)], glsl, headerName, header});
-  if (!module)
-    return module;
-  if (auto valid = validateSpirv(*module); !valid)
-    return valid.error();
+  auto module = VOXC_TRY(glslToSpirv({kStages[static_cast<std::size_t>(stage)], glsl, headerName, header}));
+  VOXC_TRY(validateSpirv(module));
   return module;
 }
 

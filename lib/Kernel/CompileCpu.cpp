@@ -64,16 +64,14 @@ LaterPart laterPart(const std::shared_ptr<const std::string> &text, Parts part,
 /// The code of a kernel's text, with as much compiled as is asked for.
 Expected<JitCode> codeOf(const Plan &plan, std::string text, const CpuKernelOptions &options) {
   const int parts = plan.isOfPoints() ? kAll : partsAtOnce(options.start);
-  const auto object = compileParts(text, parts, options.cache);
-  if (!object)
-    return object.error();
+  const auto object = VOXC_TRY(compileParts(text, parts, options.cache));
   const auto kept = std::make_shared<const std::string>(std::move(text));
   std::vector<LaterPart> later;
   if ((parts & kPackets) == 0)
     later.push_back(laterPart(kept, kPackets, {"trace_packet"}, options.cache));
   if ((parts & kExactness) == 0)
     later.push_back(laterPart(kept, kExactness, {"prepare", "go_on_exactly"}, options.cache));
-  return JitCode::link(*object, plan.layout.format, std::move(later));
+  return JitCode::link(object, plan.layout.format, std::move(later));
 }
 
 bool isIdentifier(const std::string &name) {
@@ -94,15 +92,11 @@ Expected<CpuKernel> compileCpuKernel(const Format &format, const CpuKernelOption
 Expected<CpuKernel> compileCpuKernel(const Plan &plan, const CpuKernelOptions &options) {
   if (const std::string problem = problemOf(plan, EmitTarget::Processor); !problem.empty())
     return Error::input(problem);
-  auto code = codeOf(plan, emitIntersectCpp(plan, kSymbol, options.countWords), options);
-  if (!code)
-    return code.error();
-  const auto function = code->find(kSymbol);
-  if (!function)
-    return function.error();
-  return CpuKernel{reinterpret_cast<CpuKernel::Function>(*function),
+  auto code = VOXC_TRY(codeOf(plan, emitIntersectCpp(plan, kSymbol, options.countWords), options));
+  const auto function = VOXC_TRY(code.find(kSymbol));
+  return CpuKernel{reinterpret_cast<CpuKernel::Function>(function),
                    plan.layout.storageDigest,
-                   std::make_shared<const JitCode>(std::move(*code)),
+                   std::make_shared<const JitCode>(std::move(code)),
                    options.countWords,
                    plan.addressing == Addressing::Paged,
                    plan.bounded};

@@ -59,15 +59,10 @@ Expected<OpenedTracer<SomeTracer>> timed(std::optional<Addressing> addressing, c
                                          const auto &make) {
   OpenedTracer<SomeTracer> opened{.addressing = addressing};
   const Stopwatch compiling;
-  const auto kernel = compile();
-  if (!kernel)
-    return kernel.error();
+  const auto kernel = VOXC_TRY(compile());
   opened.kernelSeconds = compiling.seconds();
   const Stopwatch making;
-  Expected<std::unique_ptr<SomeTracer>> tracer = make(*kernel);
-  if (!tracer)
-    return tracer.error();
-  opened.tracer = std::move(*tracer);
+  opened.tracer = VOXC_TRY(make(kernel));
   if (addressing && addressing != Addressing::Paged)
     opened.uploadSeconds = making.seconds();
   return opened;
@@ -90,8 +85,7 @@ Expected<OpenedTracer<Tracer>> openTracerOn(const Volume &volume, const TracerCh
 
 Expected<OpenedTracer<PagedTracer>> openTracerOn(const PagedVolume &volume, const Format &format,
                                                  const TracerChoice &choice, const PagingOptions &options) {
-  if (Expected<void> suits = checkPaging(format); !suits)
-    return suits.error();
+  VOXC_TRY(checkPaging(format));
   Device *const device = choice.openDevice;
   constexpr Addressing kPaged = Addressing::Paged;
   if (!device)
@@ -116,12 +110,10 @@ Expected<std::unique_ptr<Tracer>> openTracer(const Volume &volume, const TracerC
       chosen.openDevice = device.get();
     }
   }
-  auto opened = openTracerOn(volume, chosen);
-  if (!opened)
-    return opened.error();
+  auto opened = VOXC_TRY(openTracerOn(volume, chosen));
   if (!device)
-    return std::move(opened->tracer);
-  return std::unique_ptr<Tracer>(new OwningTracer(std::move(device), std::move(opened->tracer)));
+    return std::move(opened.tracer);
+  return std::unique_ptr<Tracer>(new OwningTracer(std::move(device), std::move(opened.tracer)));
 }
 
 } // namespace voxc

@@ -34,13 +34,10 @@ std::string digestComment(const Kernel &kernel) {
 bool canTranslate() { return kHasSpirvCross; }
 
 Expected<std::string> translateKernel(const Kernel &kernel, ShadingLanguage language) {
-  if (auto checked = checkKernel(kernel, language); !checked)
-    return checked.error();
-  auto text = spirvCross(kernel.spirv, language);
-  if (!text)
-    return text;
+  VOXC_TRY(checkKernel(kernel, language));
+  auto text = VOXC_TRY(spirvCross(kernel.spirv, language));
   const std::string_view lacking = language == ShadingLanguage::Hlsl ? carryFunctions() : "";
-  return digestComment(kernel) + std::string(lacking) + "\n" + *text;
+  return digestComment(kernel) + std::string(lacking) + "\n" + text;
 }
 
 } // namespace voxc

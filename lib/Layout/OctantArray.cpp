@@ -1,7 +1,6 @@
 // Small grids by octants: writing, finding and checking them.
 #include "voxc/Layout/OctantArray.h"
 
-#include <array>
 #include <bit>
 
 namespace voxc {

@@ -5,8 +5,6 @@
 
 #include "voxc/Layout/SlotKind.h"
 
-#include <algorithm>
-
 namespace voxc {
 namespace {
 
@@ -91,8 +89,7 @@ private:
     const bool isLast = layout_.holdsVoxels(index_);
     rule(stratum.empty() != Empty::Transparent || layout_.alpha == Alpha::Positive,
          "distances in the slots of the last level cannot be distinguished from voxels unless none has an "
-         "alpha of 0; "
-         "state that by alpha=positive (the pass visible-voxels)");
+         "alpha of 0; state that by alpha=positive (the pass visible-voxels)");
     const std::string name = level() + ", " + stratum.level + ", ";
     rule(!stratum.ranked || stratum.slots->ranks,
          name + "does not count voxels, which values=apart asks for; raw, distance, masked and svdag do");
@@ -101,9 +98,8 @@ private:
                 "have");
     neighbours(stratum);
     rule(stratum.slots->placeBits == 32 || index_ == 0 || layout_.strata[index_ - 1].empty() != Empty::Tagged,
-         name +
-             "needs all bits of the references that lead to it, of which distances=in-slot takes some in the "
-             "level above; leave out one of both");
+         name + "needs all bits of the references that lead to it, of which distances=in-slot takes some in "
+                "the level above; leave out one of both");
     const std::string granules = granuleProblem(layout_, stratum);
     rule(granules.empty(), granules);
     const std::string problem = stratum.slots->problem(stratum);
@@ -129,10 +125,9 @@ private:
     rule(!layout_.ranksVoxels() || payload.varies,
          "voxels of payload=" + layout_.payloadText() +
              " have no values that could stand apart; leave out one of both");
-    rule(layout_.ranksVoxels() || payload.inPlace,
-         "voxels of payload=" + layout_.payloadText() +
-             " save nothing in the words of cells; their values stand apart by values=apart (the pass "
-             "values-apart)");
+    rule(layout_.ranksVoxels() || payload.inPlace, "voxels of payload=" + layout_.payloadText() +
+                                                       " save nothing in the words of cells; their values "
+                                                       "stand apart by values=apart (the pass values-apart)");
   }
 
   const Layout &layout_;

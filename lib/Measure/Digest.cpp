@@ -21,10 +21,8 @@ Digest &Digest::add(std::string_view part) {
 }
 
 Expected<void> Digest::addFile(const std::string &path) {
-  const auto file = MappedFile::open(path);
-  if (!file)
-    return file.error();
-  add({reinterpret_cast<const char *>(file->bytes().data()), file->bytes().size()});
+  const auto file = VOXC_TRY(MappedFile::open(path));
+  add({reinterpret_cast<const char *>(file.bytes().data()), file.bytes().size()});
   return {};
 }
 

@@ -75,11 +75,8 @@ Expected<void> FormatSearch::measure(Explored explored, const std::vector<Record
   acquisition_ = std::make_unique<Acquisition>(
       std::move(explored.formats), model_,
       AcquisitionOptions{.mostBytes = mostBytes, .leastSpeed = options_.leastSpeed});
-  auto session =
-      MeasurementSession::create(*scene_, std::move(sets_), options_.measurement, budget.within(progress));
-  if (!session)
-    return session.error();
-  session_ = std::move(*session);
+  session_ = VOXC_TRY(
+      MeasurementSession::create(*scene_, std::move(sets_), options_.measurement, budget.within(progress)));
   SearchLoopOptions loopOptions{.budget = budget};
   if (options_.measuresAll)
     loopOptions.leastGain = -1;

@@ -83,18 +83,15 @@ std::vector<std::string> partnersOf(const std::string &path) {
 /// Lists what `path` names among the files that were not listed yet, and what these name.
 Expected<void> addCompanions(const std::string &path, std::map<std::string, bool> &files,
                              std::vector<ContentFile> &content) {
-  const Expected<std::string> text = readTextFile(path);
-  if (!text)
-    return text.error();
+  const auto text = VOXC_TRY(readTextFile(path));
   for (auto &[companion, added] : files) {
     const std::string name = fs::path(companion).filename().string();
-    if (added || (text->find(name) == std::string::npos && !namesByPattern(*text, name)))
+    if (added || (text.find(name) == std::string::npos && !namesByPattern(text, name)))
       continue;
     added = true;
     content.push_back({name, companion});
     if (refers(companion))
-      if (Expected<void> further = addCompanions(companion, files, content); !further)
-        return further;
+      VOXC_TRY(addCompanions(companion, files, content));
   }
   return {};
 }
@@ -125,10 +122,8 @@ Expected<std::vector<ContentFile>> contentFiles(const std::string &input) {
     return content;
   const std::string path = fileOf(input);
   if (!isPrefixed(input) && endsWith(path, kNumbered)) {
-    const auto paths = numberedPaths(path, kMostNumbered);
-    if (!paths)
-      return paths.error();
-    for (const std::string &numbered : *paths)
+    const auto paths = VOXC_TRY(numberedPaths(path, kMostNumbered));
+    for (const std::string &numbered : paths)
       content.push_back({kindOf(input), numbered});
     return content;
   }
@@ -139,8 +134,7 @@ Expected<std::vector<ContentFile>> contentFiles(const std::string &input) {
     const fs::path folder = fs::path(path).parent_path();
     auto files = filesBelow(folder.empty() ? "." : folder);
     files[path] = true;
-    if (Expected<void> added = addCompanions(path, files, content); !added)
-      return added.error();
+    VOXC_TRY(addCompanions(path, files, content));
   }
   return content;
 }
@@ -149,13 +143,10 @@ Expected<std::string> contentDigest(const std::string &input) {
   Digest digest;
   if (input.starts_with("builtin:"))
     return digest.add(input).hex();
-  const auto files = contentFiles(input);
-  if (!files)
-    return files.error();
-  for (const ContentFile &file : *files) {
+  const auto files = VOXC_TRY(contentFiles(input));
+  for (const ContentFile &file : files) {
     digest.add(file.name);
-    if (Expected<void> added = digest.addFile(file.path); !added)
-      return added.error();
+    VOXC_TRY(digest.addFile(file.path));
   }
   return digest.hex();
 }

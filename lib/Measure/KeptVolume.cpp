@@ -98,10 +98,8 @@ std::optional<Volume> loadKept(const std::string &path, Record &record) {
 Expected<void> keepBuild(const std::string &path, const Format &storage, const Built &built,
                          double compileSeconds, Record &record) {
   const Json figures = figuresOf(path, built, compileSeconds);
-  if (auto written = writeFile(besides(path, kFormatEnding), printIr(storage)); !written)
-    return written;
-  if (auto written = writeFile(besides(path, kFiguresEnding), figures.dump() + "\n"); !written)
-    return written;
+  VOXC_TRY(writeFile(besides(path, kFormatEnding), printIr(storage)));
+  VOXC_TRY(writeFile(besides(path, kFiguresEnding), figures.dump() + "\n"));
   addVolume(figures, record);
   return {};
 }

@@ -48,16 +48,11 @@ Expected<MeasurementSession> MeasurementSession::create(const SearchScene &scene
                                                         const Progress &progress) {
   MeasurementSession session(scene, std::move(options));
   const auto source = makeSceneSource(*scene.colours, scene.extent, scene.voxelToModel);
-  Expected<Oracle> oracle = Oracle::of(*source, progress);
-  if (!oracle)
-    return oracle.error();
-  session.oracle_ = std::make_unique<Oracle>(std::move(*oracle));
+  auto oracle = VOXC_TRY(Oracle::of(*source, progress));
+  session.oracle_ = std::make_unique<Oracle>(std::move(oracle));
   for (MeasuredSet &set : sets) {
     SampledRays rays = sampleRays(std::move(set.rays), session.options_.check);
-    auto exact = session.oracle_->trace(rays.sample, 0, progress);
-    if (!exact)
-      return exact.error();
-    rays.exact = std::move(*exact);
+    rays.exact = VOXC_TRY(session.oracle_->trace(rays.sample, 0, progress));
     session.rays_.push_back(std::move(rays));
   }
   session.sets_ = std::move(sets);
@@ -106,23 +101,17 @@ Expected<Volume> MeasurementSession::build(const PredictedFormat &format, Record
     return std::move(*kept);
   const Format storage = storageFormat(format.candidate.format);
   const Stopwatch compiling;
-  const auto constructor = Constructor::compile(storage);
-  if (!constructor)
-    return constructor.error();
+  const auto constructor = VOXC_TRY(Constructor::compile(storage));
   slowestCompile_ = std::max(slowestCompile_, compiling.seconds());
   const auto source = makeSceneSource(*scene_->colours, scene_->extent, scene_->voxelToModel);
-  Expected<Built> built =
-      constructor->build(*source, {.provenance = options_.provenance,
-                                   .threads = options_.threads,
-                                   .memory = options_.memory,
-                                   .path = path,
-                                   .progress = progress.silent(),
-                                   .maxWords = options_.maxBytes / sizeof(std::uint32_t)});
-  if (!built)
-    return built.error();
-  if (auto kept = keepBuild(path, storage, *built, constructor->compileSeconds(), record); !kept)
-    return kept.error();
-  return std::move(built->volume);
+  auto built = VOXC_TRY(constructor.build(*source, {.provenance = options_.provenance,
+                                                    .threads = options_.threads,
+                                                    .memory = options_.memory,
+                                                    .path = path,
+                                                    .progress = progress.silent(),
+                                                    .maxWords = options_.maxBytes / sizeof(std::uint32_t)}));
+  VOXC_TRY(keepBuild(path, storage, built, constructor.compileSeconds(), record));
+  return std::move(built.volume);
 }
 
 Expected<void> MeasurementSession::prepare(MeasuredFormat &measured, const RoundOptions &roundOptions,
@@ -187,16 +176,12 @@ Expected<void> MeasurementSession::examine(MeasuredFormat &measured, const Round
     return {};
   for (std::size_t set = 0; set < rays_.size(); ++set) {
     const std::vector<Ray> &sample = rays_[set].sample;
-    const auto steps = measured.subject->stepsPerRay(sample);
-    if (!steps)
-      return steps.error();
-    const auto words = measured.subject->wordsPerRay(sample);
-    if (!words)
-      return words.error();
+    const auto steps = VOXC_TRY(measured.subject->stepsPerRay(sample));
+    const auto words = VOXC_TRY(measured.subject->wordsPerRay(sample));
     WorkPart &work = measured.records[set].work;
     work.rays = sample.size();
-    work.stepsPerRay = *steps;
-    work.wordsPerRay = *words;
+    work.stepsPerRay = steps;
+    work.wordsPerRay = words;
   }
   return {};
 }
@@ -242,8 +227,7 @@ Expected<void> MeasurementSession::traceRounds(std::vector<MeasuredFormat> &allM
       if (!roundOptions.budget.allows(measured.roundSeconds))
         return Error::interrupted();
       const Stopwatch watch;
-      if (Expected<void> traced = traceRound(measured, round > 0, progress); !traced)
-        return traced.error();
+      VOXC_TRY(traceRound(measured, round > 0, progress));
       measured.rounds = round;
       measured.roundSeconds = watch.seconds();
       if (round < kLeastRounds || !roundOptions.isBeaten || !measured.runs())

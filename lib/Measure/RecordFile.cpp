@@ -43,13 +43,11 @@ Expected<std::vector<std::string>> recordFiles(const std::string &folder) {
 class RecordList {
 public:
   Expected<void> addFile(const std::string &path) {
-    const Expected<std::string> text = readTextFile(path);
-    if (!text)
-      return text.error();
+    const auto text = VOXC_TRY(readTextFile(path));
     std::size_t number = 1;
     // What stands behind the last line end was cut short.
-    for (std::size_t begin = 0, end; (end = text->find('\n', begin)) != std::string::npos; begin = end + 1)
-      if (Expected<void> added = addLine({text->data() + begin, end - begin}); !added)
+    for (std::size_t begin = 0, end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1)
+      if (Expected<void> added = addLine({text.data() + begin, end - begin}); !added)
         return Error::input(path + ":" + std::to_string(number) + ": " + added.error().message);
       else
         ++number;
@@ -62,14 +60,12 @@ private:
   Expected<void> addLine(std::string_view line) {
     if (line.empty())
       return {};
-    Expected<Record> record = parseRecord(line);
-    if (!record)
-      return record.error();
-    const auto [known, isNew] = places_.emplace(record->cell, records_.size());
+    auto record = VOXC_TRY(parseRecord(line));
+    const auto [known, isNew] = places_.emplace(record.cell, records_.size());
     if (isNew)
-      records_.push_back(std::move(*record));
+      records_.push_back(std::move(record));
     else
-      records_[known->second] = std::move(*record);
+      records_[known->second] = std::move(record);
     return {};
   }
 
@@ -80,13 +76,10 @@ private:
 } // namespace
 
 Expected<std::vector<Record>> readRecords(const std::string &folder) {
-  const auto paths = recordFiles(folder);
-  if (!paths)
-    return paths.error();
+  const auto paths = VOXC_TRY(recordFiles(folder));
   RecordList list;
-  for (const std::string &path : *paths)
-    if (Expected<void> added = list.addFile(path); !added)
-      return added.error();
+  for (const std::string &path : paths)
+    VOXC_TRY(list.addFile(path));
   return list.take();
 }
 
@@ -95,8 +88,7 @@ Expected<std::vector<Record>> readRecordFile(const std::string &path) {
   std::error_code ignored;
   if (!fs::exists(path, ignored))
     return list.take();
-  if (Expected<void> added = list.addFile(path); !added)
-    return added.error();
+  VOXC_TRY(list.addFile(path));
   return list.take();
 }
 
@@ -108,8 +100,7 @@ Expected<RecordWriter> RecordWriter::open(const std::string &path) {
   if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0)
     return Error::input("'" + path +
                         "' is being written by another voxc; wait for it, or name another folder");
-  if (Expected<void> removed = writer.removeCutLine(); !removed)
-    return removed.error();
+  VOXC_TRY(writer.removeCutLine());
   return writer;
 }
 
@@ -127,11 +118,9 @@ Expected<void> RecordWriter::removeCutLine() {
     return cannotWrite(path_);
   if (!S_ISREG(status.st_mode) || status.st_size == 0)
     return {};
-  const Expected<std::string> text = readTextFile(path_);
-  if (!text)
-    return text.error();
-  const std::size_t whole = text->rfind('\n') + 1; // npos + 1 is 0: no line is whole.
-  if (whole < text->size() && ::ftruncate(descriptor_, static_cast<off_t>(whole)) != 0)
+  const auto text = VOXC_TRY(readTextFile(path_));
+  const std::size_t whole = text.rfind('\n') + 1; // npos + 1 is 0: no line is whole.
+  if (whole < text.size() && ::ftruncate(descriptor_, static_cast<off_t>(whole)) != 0)
     return cannotWrite(path_);
   return {};
 }
@@ -153,12 +142,9 @@ Expected<void> RecordWriter::take(const std::string &path) {
   const Expected<RecordWriter> source = open(path);
   if (!source)
     return source.error().kind == ErrorKind::Input ? Expected<void>() : source.error();
-  const Expected<std::string> lines = readTextFile(path);
-  if (!lines)
-    return lines.error();
+  const auto lines = VOXC_TRY(readTextFile(path));
   // In this order: what is cut short here leaves the records in two files, which is as good as in one.
-  if (Expected<void> appended = appendText(*lines); !appended)
-    return appended;
+  VOXC_TRY(appendText(lines));
   std::error_code failure;
   fs::remove(path, failure);
   return failure ? Error::environment("cannot remove '" + path + "': " + failure.message())

@@ -160,34 +160,26 @@ Expected<FormatTable> searchFormats(const SourceOpener &open, const FormatQuesti
   if (!(question.seconds > 0 && question.seconds < kMostSeconds))
     return Error::usage("a search takes seconds, more than 0 and less than 1e9");
   const measure::TimeBudget budget(question.seconds);
-  auto wish = measure::wishOf(question);
-  if (!wish)
-    return wish.error();
+  auto wish = VOXC_TRY(measure::wishOf(question));
   const auto precisions = precisionNames();
   if (std::ranges::find(precisions, question.precision) == precisions.end())
     return Error::usage("'" + question.precision + "' is no precision; those are exact and fast");
   if (question.maxBytes == 0)
-    wish->maxBytes = std::min(wish->maxBytes, measure::machineMemory() / kShareOfMemory);
+    wish.maxBytes = std::min(wish.maxBytes, measure::machineMemory() / kShareOfMemory);
   measure::Devices devices;
-  const auto device = devices.open(question.device);
-  if (!device)
-    return device.error();
+  const auto device = VOXC_TRY(devices.open(question.device));
   FormatQuestion asked = question;
   if (!asked.memory)
     asked.memory = WorkingMemory::createDefault();
-  const auto scene = readSearchScene(asked.name, open, asked.memory, progress);
-  if (!scene)
-    return scene.error();
-  if (!scene->colours)
-    return Error::environment("the scene with its colours takes more than the memory that may be used; "
-                              "more memory or a lower resolution would do");
-  auto seeds = candidatesOf(asked.formats, *scene);
-  if (!seeds)
-    return seeds.error();
+  const auto scene = VOXC_TRY(readSearchScene(asked.name, open, asked.memory, progress));
+  if (!scene.colours)
+    return Error::environment("the scene with its colours takes more than the memory that may be used; more "
+                              "memory or a lower resolution would do");
+  auto seeds = VOXC_TRY(candidatesOf(asked.formats, scene));
   const ScratchFolder folder;
   if (!folder.isThere())
     return Error::environment("cannot make a folder such as '" + folder.path() + "'");
-  return search(*scene, std::move(*seeds), asked, optionsOf(asked, *wish, *device, folder.path()), budget,
+  return search(scene, std::move(seeds), asked, optionsOf(asked, wish, device, folder.path()), budget,
                 progress);
 }
 

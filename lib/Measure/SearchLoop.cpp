@@ -77,16 +77,14 @@ Expected<void> SearchLoop::measure(const std::vector<std::size_t> &formats, cons
     rated.push_back(&acquisition_.formats()[i]);
     predicted.push_back(predict(i));
   }
-  auto found = session_.measure(rated, predicted, roundOptions, progress);
-  if (!found)
-    return found.error();
+  auto found = VOXC_TRY(session_.measure(rated, predicted, roundOptions, progress));
   const auto isUnfinished = [](const Finding &finding) { return finding.records.empty(); };
   const bool isLast = roundOptions.leastRounds == kLeastLastRounds;
   // Their times are to be compared: all are used, or none.
-  if (isLast && std::ranges::any_of(*found, isUnfinished))
+  if (isLast && std::ranges::any_of(found, isUnfinished))
     return {};
   for (std::size_t i = 0; i < formats.size(); ++i) {
-    Finding &finding = (*found)[i];
+    Finding &finding = found[i];
     if (isUnfinished(finding)) {
       unfinished_.insert(formats[i]);
       continue;
@@ -96,8 +94,7 @@ Expected<void> SearchLoop::measure(const std::vector<std::size_t> &formats, cons
       if (const auto before = findings_.find(formats[i]); before != findings_.end())
         record.predicted =
             before->second.records[static_cast<std::size_t>(&record - finding.records.data())].predicted;
-      if (Expected<void> written = keep_(record); !written)
-        return written;
+      VOXC_TRY(keep_(record));
     }
     if (finding.nanoseconds.empty())
       acquisition_.drop(formats[i]);
@@ -209,8 +206,7 @@ Expected<void> SearchLoop::run(const Progress &progress) {
   }
   if (options_.lastRounds == 0 || (measuredCount_ == 0 && !last_.empty()))
     return {}; // Not asked for, or all is known from before.
-  if (Expected<void> measured = measureFrontier(telling); !measured)
-    return measured;
+  VOXC_TRY(measureFrontier(telling));
   forgetBeaten();
   return {};
 }

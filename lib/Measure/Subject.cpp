@@ -1,7 +1,6 @@
 // Tracing what is measured.
 #include "voxc/Measure/Subject.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace voxc::measure {
@@ -30,10 +29,7 @@ TracerChoice Subject::tracerChoice(bool countsWords) const {
 
 Expected<Subject> Subject::open(const Volume &volume, const Format &format, const SubjectChoice &choice) {
   Subject subject(volume, format, choice);
-  auto opened = openTracerOn(volume, subject.tracerChoice(false));
-  if (!opened)
-    return opened.error();
-  subject.opened_ = std::move(*opened);
+  subject.opened_ = VOXC_TRY(openTracerOn(volume, subject.tracerChoice(false)));
   return subject;
 }
 
@@ -41,20 +37,18 @@ DeviceInfo Subject::deviceInfo() const { return choice_.device ? choice_.device-
 
 Expected<void> Subject::trace(std::span<const Ray> rays, Times *times, const Progress &progress) {
   hits_.resize(rays.size());
-  const auto traced = opened_.tracer->trace(
-      rays, hits_, {.spread = choice_.spread, .order = choice_.order, .progress = progress.silent()});
-  if (!traced)
-    return traced.error();
+  const auto traced = VOXC_TRY(opened_.tracer->trace(
+      rays, hits_, {.spread = choice_.spread, .order = choice_.order, .progress = progress.silent()}));
   if (!times) {
-    firstDispatchSeconds_ = traced->firstDispatch;
+    firstDispatchSeconds_ = traced.firstDispatch;
     return {};
   }
-  const TraceTime &time = traced->repeats.front();
+  const TraceTime &time = traced.repeats.front();
   times->cpuSeconds.push_back(time.cpu);
   times->seconds.push_back(time.wall);
   if (time.device > 0)
     times->deviceSeconds.push_back(time.device);
-  times->isBinned = traced->binned;
+  times->isBinned = traced.binned;
   return {};
 }
 
@@ -68,12 +62,8 @@ Expected<double> Subject::stepsPerRay(std::span<const Ray> rays) {
 Expected<double> Subject::wordsPerRay(std::span<const Ray> rays) {
   std::vector<Hit> hits(rays.size());
   OpenedTracer<Tracer> counting;
-  if (!choice_.device) {
-    auto opened = openTracerOn(*volume_, tracerChoice(true));
-    if (!opened)
-      return opened.error();
-    counting = std::move(*opened);
-  }
+  if (!choice_.device)
+    counting = VOXC_TRY(openTracerOn(*volume_, tracerChoice(true)));
   Tracer &tracer = choice_.device ? *opened_.tracer : *counting.tracer;
   const auto traced =
       tracer.trace(rays, hits, {.countWords = true, .spread = choice_.spread, .order = choice_.order});

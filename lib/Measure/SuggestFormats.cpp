@@ -46,27 +46,19 @@ Expected<Wish> wishOf(const FormatQuestion &question) {
 
 Expected<FormatTable> suggestFormats(const SourceOpener &open, const FormatQuestion &question,
                                      const Progress &progress) {
-  const auto wish = measure::wishOf(question);
-  if (!wish)
-    return wish.error();
+  const auto wish = VOXC_TRY(measure::wishOf(question));
   const auto memory = question.memory ? question.memory : WorkingMemory::createDefault();
-  auto scene = readSearchScene(question.name, open, memory, progress);
-  if (!scene)
-    return scene.error();
-  scene->traits.editable = question.editable;
-  auto candidates = candidatesOf(question.formats, *scene);
-  if (!candidates)
-    return candidates.error();
+  auto scene = VOXC_TRY(readSearchScene(question.name, open, memory, progress));
+  scene.traits.editable = question.editable;
+  auto candidates = VOXC_TRY(candidatesOf(question.formats, scene));
   std::vector<RaySet> rays;
-  const int longestEdge = std::max({scene->extent.x, scene->extent.y, scene->extent.z});
+  const int longestEdge = std::max({scene.extent.x, scene.extent.y, scene.extent.z});
   if (!question.rays.empty())
     rays.push_back(samplePackets("rays", question.rays, kConsideredRays, longestEdge, RayOrder::Auto));
-  const auto suggested =
-      suggestFormat(*scene, {.wish = *wish, .candidates = std::move(*candidates), .rays = std::move(rays)},
-                    measure::knownSpeedsOf(question.device).model, progress);
-  if (!suggested)
-    return suggested.error();
-  return tableOf(*scene, *suggested);
+  const auto suggested = VOXC_TRY(
+      suggestFormat(scene, {.wish = wish, .candidates = std::move(candidates), .rays = std::move(rays)},
+                    measure::knownSpeedsOf(question.device).model, progress));
+  return tableOf(scene, suggested);
 }
 
 } // namespace voxc

@@ -77,8 +77,7 @@ Expected<ModelFrame> ModelFrame::fit(const FrameOptions &options) {
       return Error::input("the bounds are not a box: each low corner must be a number below the high one");
   frame.origin_ = glm::min(a, b);
   if (options.voxelSize > 0 || options.align) {
-    if (auto placed = frame.place(options, glm::min(a, b), glm::max(a, b)); !placed)
-      return placed.error();
+    VOXC_TRY(frame.place(options, glm::min(a, b), glm::max(a, b)));
     return frame;
   }
   const double longest = std::max({size.x, size.y, size.z});

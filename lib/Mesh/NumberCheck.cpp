@@ -25,8 +25,7 @@ public:
   NumberChecker(const TriangleScene &scene, const MeshInput &input) : scene_(scene), input_(input) {}
 
   Expected<void> check() {
-    if (auto counted = checkCounts(); !counted)
-      return counted;
+    VOXC_TRY(checkCounts());
     for (std::size_t i = 0; i < scene_.parts.size() && !problem_; ++i) {
       checkPositions(scene_.parts[i], i);
       if (scene_.parts[i].indices)

@@ -1,46 +1,5 @@
-# The readers, which the fuzzers build apart from all else.
-set(VOXC_MESH_READERS
-  EarCutter.cpp
-  FileBeside.cpp
-  Gltf/DataUri.cpp
-  Gltf/GltfAccessors.cpp
-  Gltf/GltfBuffers.cpp
-  Gltf/GltfDraco.cpp
-  Gltf/GltfExtensions.cpp
-  Gltf/GltfFile.cpp
-  Gltf/GltfMaterials.cpp
-  Gltf/GltfMeshes.cpp
-  Gltf/GltfMeshopt.cpp
-  Gltf/GltfNodes.cpp
-  Gltf/GltfObject.cpp
-  Gltf/GltfPlaces.cpp
-  Gltf/GltfPoses.cpp
-  Gltf/GltfReader.cpp
-  Gltf/GltfTransforms.cpp
-  Gltf/GltfUris.cpp
-  Gltf/Json.cpp
-  Obj/MaterialLibrary.cpp
-  Obj/ObjGeometry.cpp
-  Obj/ObjMaterials.cpp
-  Obj/ObjReader.cpp
-  Obj/TextureOptions.cpp
-  Obj/VertexNumbers.cpp
-  Ply/PlyColour.cpp
-  Ply/PlyFaceLooks.cpp
-  Ply/PlyHeader.cpp
-  Ply/PlyNames.cpp
-  Ply/PlyReader.cpp
-  Ply/PlyScene.cpp
-  Ply/PlyTextures.cpp
-  Ply/PlyVertices.cpp
-  Polygon.cpp
-  NumberCheck.cpp
-  SceneLoader.cpp
-  Stl/StlColours.cpp
-  Stl/StlReader.cpp
-  Stl/StlText.cpp
-  TextureSet.cpp
-  TriangleScene.cpp
-  UnusedVertices.cpp)
+# The readers, which the fuzzers build apart from all else: all of lib/Mesh but what makes voxels.
+file(GLOB_RECURSE VOXC_MESH_READERS CONFIGURE_DEPENDS "${CMAKE_CURRENT_LIST_DIR}/*.cpp")
+list(FILTER VOXC_MESH_READERS EXCLUDE REGEX "/Mesh/(Solid|Voxelize)/|/ModelFrame.cpp$")
 # What they are built on, beside lib/Image.
 set(VOXC_MESH_READER_LIBRARIES $<BUILD_INTERFACE:nlohmann_json::nlohmann_json> draco meshoptimizer)

@@ -60,11 +60,9 @@ Expected<TriangleScene> loadScene(const std::string &path, const std::shared_ptr
   if (reader == kReaders.end())
     return Error::input("'" + path +
                         "' is no kind of mesh that is known; there are .obj .ply .glb .gltf .stl");
-  auto file = WatchedFile::open(path, memory);
-  if (!file)
-    return file.error();
+  auto file = VOXC_TRY(WatchedFile::open(path, memory));
   try {
-    return readAndCheck(*reader, {path, *file, memory, progress, withMetal});
+    return readAndCheck(*reader, {path, file, memory, progress, withMetal});
   } catch (const std::bad_alloc &) {
     return Error::environment("there is not enough memory to read '" + path + "'");
   }

@@ -30,8 +30,7 @@ public:
 
   Expected<void> begin(std::uint64_t vertices) {
     vertices_ = vertices;
-    if (auto emptied = words_.resize(0); !emptied)
-      return emptied;
+    VOXC_TRY(words_.resize(0));
     return words_.resize(vertices / 64 + 1);
   }
 
@@ -78,12 +77,10 @@ Expected<void> warnOfUnused(TriangleScene &scene, const MeshInput &input) {
                        [&](const MeshPart *part) { return !haveSameVertices(*part, **first); });
     if (std::any_of(first, end, [](const MeshPart *part) { return !part->indices; }))
       continue;
-    if (auto begun = marks.begin((*first)->positions.count); !begun)
-      return begun;
+    VOXC_TRY(marks.begin((*first)->positions.count));
     for (auto part = first; part != end; ++part)
       if (part == first || keyOf(**part) != keyOf(**(part - 1)))
-        if (auto added = marks.add((*part)->indices); !added)
-          return added;
+        VOXC_TRY(marks.add((*part)->indices));
     unused += marks.unmarked();
   }
   if (unused != 0)

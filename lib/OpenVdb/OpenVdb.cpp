@@ -129,10 +129,7 @@ Expected<Look> lookOf(const Grid &grid, const InputOptions &options) {
   // Nearer than half a voxel's side: the sheets of an open mesh have hardly any value that is not positive.
   look.threshold = options.threshold.value_or(grid.voxelSize()[0] / 2);
   look.map.threshold = options.threshold;
-  auto colours = colourMap(options.colourMap);
-  if (!colours)
-    return colours.error();
-  look.map.colours = *colours;
+  look.map.colours = VOXC_TRY(colourMap(options.colourMap));
   if (options.window) {
     look.map.window = {(*options.window)[0], (*options.window)[1]};
     return look;
@@ -154,8 +151,7 @@ Expected<Int3> extentOf(const openvdb::CoordBBox &box, const InputOptions &optio
     const std::int64_t size = std::int64_t{box.max()[axis]} - box.min()[axis] + 1;
     extent[axis] = static_cast<std::int32_t>(std::min<std::int64_t>(size, (1 << kMaxLog2Extent) + 1));
   }
-  if (auto possible = checkGridExtent(extent); !possible)
-    return possible.error();
+  VOXC_TRY(checkGridExtent(extent));
   const Int3 holds = options.mostExtent();
   const bool fits = extent.x <= holds.x && extent.y <= holds.y && extent.z <= holds.z;
   // What is empty is kept in a bit for each 512 cells.
@@ -193,24 +189,17 @@ std::string provenanceOf(const Look &look, const InputOptions &options) {
 
 Expected<Input> makeInput(const Grid::ConstPtr &grid, const InputOptions &options) {
   const openvdb::CoordBBox box = grid->evalActiveVoxelBoundingBox();
-  const auto stored = extentOf(box, options);
-  if (!stored)
-    return stored.error();
-  const auto look = lookOf(*grid, options);
-  if (!look)
-    return look.error();
-  OccupancyPyramid occupancy(*stored);
-  Marker(box, *look, occupancy).mark(grid->constTree());
+  const auto stored = VOXC_TRY(extentOf(box, options));
+  const auto look = VOXC_TRY(lookOf(*grid, options));
+  OccupancyPyramid occupancy(stored);
+  Marker(box, look, occupancy).mark(grid->constTree());
   Input input;
   input.loaderPeakBytes = grid->memUsage();
-  input.provenance = provenanceOf(*look, options);
-  auto rows = std::make_shared<VdbRows>(grid, box.min(), *look);
+  input.provenance = provenanceOf(look, options);
+  auto rows = std::make_shared<VdbRows>(grid, box.min(), look);
   const Transform map = mapOf(*grid, box.min());
-  auto source = makeUprightSource(*stored, std::move(rows), std::move(occupancy), map, options.zUp,
-                                  options.memory, options.progress);
-  if (!source)
-    return source.error();
-  input.source = std::move(*source);
+  input.source = VOXC_TRY(makeUprightSource(stored, std::move(rows), std::move(occupancy), map, options.zUp,
+                                            options.memory, options.progress));
   return input;
 }
 

@@ -10,7 +10,6 @@
 #include <ostream>
 #include <streambuf>
 #include <string>
-#include <utility>
 
 namespace voxc {
 
@@ -78,23 +77,18 @@ Expected<openvdb::GridPtrVec> gridsOf(const Volume &volume, const Progress &prog
     }
     return true;
   };
-  if (auto decoded = decode(volume, fill, progress); !decoded)
-    return decoded.error();
+  VOXC_TRY(decode(volume, fill, progress));
   return openvdb::GridPtrVec{density, colour};
 }
 
 Expected<void> writeVdb(const Volume &volume, const std::string &path, const ExportOptions &options) {
-  auto file = OutputFile::create(path);
-  if (!file)
-    return file.error();
+  auto file = VOXC_TRY(OutputFile::create(path));
   try {
     openvdb::initialize();
-    const auto grids = gridsOf(volume, options.save.progress);
-    if (!grids)
-      return grids.error();
-    FileBuffer buffer(*file);
+    const auto grids = VOXC_TRY(gridsOf(volume, options.save.progress));
+    FileBuffer buffer(file);
     std::ostream stream(&buffer);
-    openvdb::io::Stream(stream).write(*grids);
+    openvdb::io::Stream(stream).write(grids);
     if (!buffer.result())
       return buffer.result();
   } catch (const std::bad_alloc &) {
@@ -102,7 +96,7 @@ Expected<void> writeVdb(const Volume &volume, const std::string &path, const Exp
   } catch (const std::exception &problem) {
     return Error::environment("'" + path + "' cannot be written: " + problem.what());
   }
-  return file->commit();
+  return file.commit();
 }
 
 } // namespace

@@ -43,14 +43,12 @@ private:
       return readBrick(cube);
     const int half = cube.log2Side - 1;
     for (std::uint64_t child = 0; child < 8; ++child)
-      if (auto done = readCube({cube.low + mortonCell(child) * (1 << half), half}); !done)
-        return done;
+      VOXC_TRY(readCube({cube.low + mortonCell(child) * (1 << half), half}));
     return {};
   }
 
   Expected<void> readBrick(const Cube &brick) {
-    if (auto done = source_.read(brick, words_.data()); !done)
-      return done;
+    VOXC_TRY(source_.read(brick, words_.data()));
     for (std::size_t i = 0; i < words_.size(); ++i)
       if (words_[i] != 0)
         runs_.add({brick.low + mortonCell(i), 0}, words_[i]);
@@ -75,8 +73,7 @@ Expected<Oracle> Oracle::of(const Volume &volume, const Progress &progress) {
     state->voxels.add(cube, word);
     return state->voxels.size() < kMaxRuns;
   };
-  if (auto decoded = decode(volume, add, progress); !decoded)
-    return decoded.error();
+  VOXC_TRY(decode(volume, add, progress));
   if (state->voxels.size() >= kMaxRuns)
     return tooManyRuns();
   state->voxels.finish();
@@ -85,8 +82,7 @@ Expected<Oracle> Oracle::of(const Volume &volume, const Progress &progress) {
 
 Expected<Oracle> Oracle::of(VoxelSource &source, const Progress &progress) {
   auto state = std::make_unique<State>(State{VoxelRuns(source.extent())});
-  if (Expected<void> read = SourceReader(source, state->voxels, progress).read(); !read)
-    return read.error();
+  VOXC_TRY(SourceReader(source, state->voxels, progress).read());
   state->voxels.finish();
   return Oracle(std::move(state));
 }
@@ -122,8 +118,7 @@ Expected<std::vector<Hit>> Oracle::trace(RaySpan rays, unsigned threads, const P
     for (std::size_t i = begin; i < end; ++i)
       hits[i] = trace(rays[i], rays.bounds(i));
   };
-  if (auto traced = forEachRange(rays.size(), threads, progress, traceRange); !traced)
-    return traced.error();
+  VOXC_TRY(forEachRange(rays.size(), threads, progress, traceRange));
   return hits;
 }
 

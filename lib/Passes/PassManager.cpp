@@ -47,19 +47,17 @@ Expected<Call> readCall(const std::string &written) {
     return unknownPass(written);
   if (written.size() == pass->name.size())
     return Call{pass, {}};
-  const auto text = numberText(*pass, std::string_view(written).substr(pass->name.size()));
-  if (!text)
-    return text.error();
+  const auto text = VOXC_TRY(numberText(*pass, std::string_view(written).substr(pass->name.size())));
   if (written.ends_with("{}"))
     return Call{pass, {}};
   if (!pass->number)
-    return wrongCall(*pass, "no number, found '" + std::string(*text) + "'");
+    return wrongCall(*pass, "no number, found '" + std::string(text) + "'");
   int number = 0;
-  const auto [end, problem] = std::from_chars(text->data(), text->data() + text->size(), number);
-  if (problem != std::errc() || end != text->data() + text->size() || number < pass->number->least ||
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (problem != std::errc() || end != text.data() + text.size() || number < pass->number->least ||
       number > pass->number->most)
     return wrongCall(*pass, "a number from " + std::to_string(pass->number->least) + " to " +
-                                std::to_string(pass->number->most) + ", not '" + std::string(*text) + "'");
+                                std::to_string(pass->number->most) + ", not '" + std::string(text) + "'");
   return Call{pass, number};
 }
 
@@ -80,24 +78,20 @@ void resolveOrder(std::vector<Call> &calls) {
 } // namespace
 
 Expected<std::string> passText(const std::string &name) {
-  const Expected<Call> call = readCall(name);
-  if (!call)
-    return call.error();
-  const Pass &pass = *call->pass;
+  const auto call = VOXC_TRY(readCall(name));
+  const Pass &pass = *call.pass;
   if (!pass.number)
     return std::string(pass.name);
   return std::string(pass.name) + "{" + std::string(pass.number->name) + "=" +
-         std::to_string(call->number.value_or(pass.number->byDefault)) + "}";
+         std::to_string(call.number.value_or(pass.number->byDefault)) + "}";
 }
 
 Expected<void> runPasses(Format &format, std::span<const std::string> names, const PipelineOptions &options,
                          PassOrder order) {
   std::vector<Call> calls;
   for (const std::string &name : names) {
-    auto call = readCall(name);
-    if (!call)
-      return call.error();
-    calls.push_back(*call);
+    auto call = VOXC_TRY(readCall(name));
+    calls.push_back(call);
   }
   if (order == PassOrder::Resolved)
     resolveOrder(calls);

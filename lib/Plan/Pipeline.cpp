@@ -33,16 +33,13 @@ constexpr std::array<PlanPass, 15> kPasses = {{
     {"choose-descents", "what layers leave no choice of: a tree without any is one leaf",
      "First: what follows asks how a stratum is traversed, not what it is.", chooseDescents},
     {"choose-traversal",
-     "nested loops, one flat loop or a direct one: as asked; else direct from 8 levels on, and where "
-     "the first level stores octants above at most 8 layers of nodes, or all others, two at least, are "
-     "masked grids of 4 cells a side; but nested where restart-sv, "
-     "unroll-sv or detail=cone need it",
+     "nested loops, one flat loop or a direct one: as asked; else direct from 8 levels on, and where the "
+     "first level stores octants above at most 8 layers of nodes, or all others, two at least, are masked "
+     "grids of 4 cells a side; but nested where restart-sv, unroll-sv or detail=cone need it",
      "After the descents: they may ask for nesting.", chooseTraversal},
     {"choose-steps",
      "of exact traversals, where the device has doubles: in packets sums of two float32 for steps that one "
-     "cannot "
-     "decide, "
-     "else doubles for all steps through 2^11 voxels a side and more; float32 everywhere else",
+     "cannot decide, else doubles for all steps through 2^11 voxels a side and more; float32 everywhere else",
      "Anywhere: it asks for nothing that others choose.", chooseSteps},
     {"choose-comparison",
      "the first of the faces ahead is found by the bits of float32; in packets, and of doubles, by comparing "
@@ -53,8 +50,7 @@ constexpr std::array<PlanPass, 15> kPasses = {{
      "After the traversal: others do more between two reads.", chooseSpeculation},
     {"choose-span-faces",
      "on devices the look-ups of a direct traversal make the faces of what they find empty, while they wait; "
-     "in "
-     "packets the step does, once for all levels",
+     "in packets the step does, once for all levels",
      "After the traversal: in others the step makes them.", chooseSpanFaces},
     {"choose-packet-width",
      "packets are narrow where each of several levels has a loop, in which lanes wait for those in another",
@@ -107,8 +103,7 @@ Expected<Plan> makePlan(const Format &format, const PlanOptions &options) {
   Plan plan = lowerToPlan(format, options);
   std::vector<const PlanPass *> all;
   std::ranges::transform(kPasses, std::back_inserter(all), [](const PlanPass &pass) { return &pass; });
-  if (auto passed = runPlanPasses(plan, all); !passed)
-    return passed.error();
+  VOXC_TRY(runPlanPasses(plan, all));
   return plan;
 }
 

@@ -34,8 +34,7 @@ Expected<void> LightRays::send(const Film &film, const TraceOptions &options, co
     }
   });
   std::vector<Hit> hits(rays.size());
-  if (Expected<void> traced = trace_(rays, hits, options); !traced)
-    return traced;
+  VOXC_TRY(trace_(rays, hits, options));
   for (std::size_t k = 0; k < from.size(); ++k)
     take(from[k], hits[k]);
   return {};

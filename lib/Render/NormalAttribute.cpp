@@ -93,10 +93,8 @@ glm::vec3 unpackNormal(std::uint32_t packed) {
 
 Expected<Attribute> normalAttribute(const Volume &volume, unsigned threads, const Progress &progress,
                                     std::uint64_t mostBytes) {
-  auto elements = zeroElements(volume, sizeof(std::uint32_t), mostBytes);
-  if (!elements)
-    return elements.error();
-  NormalWriter writer(volume, threads, progress, std::move(*elements));
+  auto elements = VOXC_TRY(zeroElements(volume, sizeof(std::uint32_t), mostBytes));
+  NormalWriter writer(volume, threads, progress, std::move(elements));
   const auto visited = visitVoxels(
       volume,
       [&](Int3 voxel, std::uint64_t number) {

@@ -11,7 +11,6 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace voxc {
 
@@ -106,13 +105,9 @@ Expected<std::vector<Ray>> Renderer::raysOf(const Film &film, unsigned sample) c
 
 /// Adds one sample to each pixel of a band.
 Expected<void> Renderer::expose(Film &film, unsigned sample) {
-  const Expected<std::vector<Ray>> made = raysOf(film, sample);
-  if (!made)
-    return made.error();
-  const std::vector<Ray> &rays = *made;
+  const std::vector<Ray> rays = VOXC_TRY(raysOf(film, sample));
   std::vector<Hit> hits(rays.size());
-  if (Expected<void> traced = tracers_.camera(rays, hits, traceOptions()); !traced)
-    return traced;
+  VOXC_TRY(tracers_.camera(rays, hits, traceOptions()));
   if (volume_.layout().hasLabels())
     showLabels(hits);
   if (sample == 0)
@@ -120,10 +115,8 @@ Expected<void> Renderer::expose(Film &film, unsigned sample) {
       if (hit.isHit())
         distances_.push_back(hit.t);
   if (isSmooth() && !options_.isDraft)
-    if (Expected<void> learned = normals_->learn(hits, options_.progress); !learned)
-      return learned;
-  if (Expected<void> gathered = gather(film, rays, hits); !gathered)
-    return gathered;
+    VOXC_TRY(normals_->learn(hits, options_.progress));
+  VOXC_TRY(gather(film, rays, hits));
   return kind_.isLit ? light(film, sample, hits) : Expected<void>();
 }
 
@@ -192,8 +185,7 @@ Expected<void> Renderer::light(Film &film, unsigned sample, const std::vector<Hi
   const LightRays rays(tracers_.occlusion, sun_, spacing_, openScale_, samples_);
   const MetSurfaces met{hits, surfaces_};
   if (options_.style == Style::Lit)
-    if (Expected<void> lit = rays.addSun(film, met, traceOptions()); !lit)
-      return lit;
+    VOXC_TRY(rays.addSun(film, met, traceOptions()));
   return rays.addSky(film, sample, met, traceOptions());
 }
 
@@ -278,15 +270,12 @@ Expected<Rendering> Renderer::run() {
     for (unsigned sample = 0; sample < samples_; ++sample) {
       const double done = (row + double(rows) * sample / samples_) / camera_.height;
       options_.progress.at("render", done);
-      if (Expected<void> exposed = expose(film, sample); !exposed)
-        return exposed.error();
+      VOXC_TRY(expose(film, sample));
     }
-    if (Expected<void> developed = develop(film, row, rows); !developed)
-      return developed.error();
+    VOXC_TRY(develop(film, row, rows));
   }
   finishDistances();
-  if (Expected<void> finished = isMap() ? finishMap() : finish(); !finished)
-    return finished.error();
+  VOXC_TRY(isMap() ? finishMap() : finish());
   return std::move(result_);
 }
 

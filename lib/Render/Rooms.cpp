@@ -129,8 +129,7 @@ struct Rays {
   }
   Expected<std::vector<Hit>> traced(TraceRays trace) const {
     std::vector<Hit> hits(rays.size());
-    if (Expected<void> done = trace(rays, hits, {}); !done)
-      return done.error();
+    VOXC_TRY(trace(rays, hits, {}));
     return hits;
   }
 };
@@ -161,11 +160,9 @@ Expected<Place> bestPlace(const glm::dvec3 &extent, const glm::dvec3 &spacing, T
   for (const glm::dvec3 &eye : eyes)
     for (const glm::dvec3 &direction : directions)
       rays.add(eye, direction);
-  const auto hits = rays.traced(trace);
-  if (!hits)
-    return hits.error();
+  const auto hits = VOXC_TRY(rays.traced(trace));
   const auto around = [&](std::size_t i) {
-    return std::span<const Hit>(*hits).subspan(i * directions.size(), directions.size());
+    return std::span<const Hit>(hits).subspan(i * directions.size(), directions.size());
   };
   Place best{extent * 0.5};
   std::size_t number = 0;
@@ -194,11 +191,9 @@ Expected<bool> isInRoom(const Place &place, const glm::dvec3 &extent, const glm:
   Rays rays{spacing};
   for (const glm::dvec3 &direction : directions)
     rays.add(place.eye, direction);
-  const auto hits = rays.traced(trace);
-  if (!hits)
-    return hits.error();
-  const auto level = std::span<const Hit>(*hits).first(kFineLevel);
-  const auto above = std::span<const Hit>(*hits).subspan(kFineLevel);
+  const auto hits = VOXC_TRY(rays.traced(trace));
+  const auto level = std::span<const Hit>(hits).first(kFineLevel);
+  const auto above = std::span<const Hit>(hits).subspan(kFineLevel);
   if (shareOfHits(level) < kLeastShare || std::ranges::all_of(above, &Hit::isHit) ||
       roomOf(level) < kLeastRoom * std::max(sides.x, sides.z))
     return false;

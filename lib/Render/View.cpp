@@ -89,8 +89,7 @@ Expected<void> addVoxelsSeen(Camera camera, int width, TraceRays trace,
   camera.width = width;
   const std::vector<Ray> rays = cameraRays(camera);
   std::vector<Hit> hits(rays.size());
-  if (Expected<void> traced = trace(rays, hits, {}); !traced)
-    return traced.error();
+  VOXC_TRY(trace(rays, hits, {}));
   for (const Hit &hit : hits)
     if (hit.isHit())
       voxels.push_back({hit.voxel[0], hit.voxel[1], hit.voxel[2]});
@@ -149,15 +148,11 @@ Expected<FoundView> foundView(View view, const Volume &volume, TraceRays trace, 
   };
   if (view == View::Inside || (view == View::Auto && !like.isOrthographic())) {
     const glm::dvec3 extent = vectorOf(volume.info().extent);
-    const Expected<Place> place = bestPlace(extent, like.spacing, trace);
-    if (!place)
-      return place.error();
-    const Expected<bool> isRoom =
-        view == View::Inside ? Expected<bool>(true) : isInRoom(*place, extent, like.spacing, trace);
-    if (!isRoom)
-      return isRoom.error();
-    if (*isRoom)
-      return FoundView{cameraAt(*place, extent, withFov(kInsideFov)), View::Inside};
+    const auto place = VOXC_TRY(bestPlace(extent, like.spacing, trace));
+    const auto isRoom =
+        VOXC_TRY(view == View::Inside ? Expected<bool>(true) : isInRoom(place, extent, like.spacing, trace));
+    if (isRoom)
+      return FoundView{cameraAt(place, extent, withFov(kInsideFov)), View::Inside};
   }
   const View outside = view == View::Auto ? View::Iso : view;
   const Expected<Camera> camera = outsideCamera(outside, volume, trace, withFov(kOutsideFov));
@@ -171,14 +166,11 @@ Expected<FoundView> findView(View view, const Volume &volume, TraceRays trace, c
     return Error::input("the volume has no voxels to look at");
   if (view == View::Inside && like.isOrthographic())
     return Error::usage(
-        "an orthographic camera sees nothing from inside; look from outside, and cut away what "
-        "is before it");
-  Expected<FoundView> found = foundView(view, volume, trace, like);
-  if (!found)
-    return found;
-  found->camera.eye = rounded(found->camera.eye);
-  found->camera.look = rounded(found->camera.look);
-  found->camera.orthographicHeight = rounded(found->camera.orthographicHeight);
+        "an orthographic camera sees nothing from inside; look from outside, and cut away what is before it");
+  auto found = VOXC_TRY(foundView(view, volume, trace, like));
+  found.camera.eye = rounded(found.camera.eye);
+  found.camera.look = rounded(found.camera.look);
+  found.camera.orthographicHeight = rounded(found.camera.orthographicHeight);
   return found;
 }
 

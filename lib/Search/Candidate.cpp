@@ -72,10 +72,8 @@ void applyPass(Candidate &candidate, const std::string &pass) {
 
 Expected<Candidate> makeCandidate(const std::string &text, const CandidateTraits &traits,
                                   const FormatChoices &choices) {
-  auto format = parseFormat(text);
-  if (!format)
-    return format.error();
-  Candidate candidate{text, {}, std::move(*format), {}};
+  auto format = VOXC_TRY(parseFormat(text));
+  Candidate candidate{text, {}, std::move(format), {}};
   candidate.composition = compositionOf(candidate.format);
   if (candidate.composition)
     candidate.composition->choices = choices;

@@ -2,8 +2,6 @@
 #include "voxc/Search/Composition.h"
 
 #include <algorithm>
-#include <array>
-#include <numeric>
 
 namespace voxc {
 namespace {

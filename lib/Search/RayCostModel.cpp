@@ -12,8 +12,6 @@
 #include "voxc/Layout/SlotKind.h"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 #include <vector>
 
 namespace voxc {

@@ -20,10 +20,8 @@ struct Store {
 
   static Expected<std::unique_ptr<Store>> create(VoxelFacts facts,
                                                  const std::shared_ptr<WorkingMemory> &memory) {
-    auto words = WordStore::create(memory);
-    if (!words)
-      return words.error();
-    return std::make_unique<Store>(std::move(*words), facts, memory);
+    auto words = VOXC_TRY(WordStore::create(memory));
+    return std::make_unique<Store>(std::move(words), facts, memory);
   }
 
   /// Words of the values.
@@ -53,13 +51,9 @@ SceneValues::SceneValues(SceneValues &&) noexcept = default;
 SceneValues &SceneValues::operator=(SceneValues &&) noexcept = default;
 
 Expected<SceneValues> SceneValues::create(const std::shared_ptr<WorkingMemory> &memory) {
-  auto plain = Store::create({}, memory);
-  if (!plain)
-    return plain.error();
-  auto palette = Store::create(VoxelFacts::ofPalette(kMostPaletteBits), memory);
-  if (!palette)
-    return palette.error();
-  return SceneValues(std::make_unique<Stores>(Stores{std::move(*plain), std::move(*palette)}));
+  auto plain = VOXC_TRY(Store::create({}, memory));
+  auto palette = VOXC_TRY(Store::create(VoxelFacts::ofPalette(kMostPaletteBits), memory));
+  return SceneValues(std::make_unique<Stores>(Stores{std::move(plain), std::move(palette)}));
 }
 
 void SceneValues::add(std::span<const std::uint32_t> cells) {
@@ -77,13 +71,11 @@ void SceneValues::add(std::span<const std::uint32_t> cells) {
 }
 
 Expected<SceneValues::Cheapest> SceneValues::finish() {
-  const auto plain = stores_->plain->finish();
-  if (!plain)
-    return plain.error();
+  const auto plain = VOXC_TRY(stores_->plain->finish());
   const auto colours = static_cast<std::uint32_t>(stores_->palette->values.colours());
   const auto palette = stores_->palette->finish();
-  if (!palette || *palette >= *plain || colours == 0)
-    return Cheapest{*plain, 0};
+  if (!palette || *palette >= plain || colours == 0)
+    return Cheapest{plain, 0};
   return Cheapest{*palette, std::max(static_cast<int>(std::bit_width(colours - 1)), 1)};
 }
 

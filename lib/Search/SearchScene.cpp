@@ -26,13 +26,11 @@ int bitsOfGrids(const SceneDag &dag) {
 Expected<SearchScene> finish(const std::string &name, SearchScene scene, SceneValues &values) {
   if (scene.shape.isEmpty())
     return Error::input("'" + name + "' has no voxels, so that any format would do");
-  const Expected<SceneValues::Cheapest> cheapest = values.finish();
-  if (!cheapest)
-    return cheapest.error();
+  const auto cheapest = VOXC_TRY(values.finish());
   scene.voxels = values.voxels();
-  scene.valueWords = values.isOne() ? 0 : cheapest->words;
+  scene.valueWords = values.isOne() ? 0 : cheapest.words;
   scene.traits = {.oneColour = values.isOne(),
-                  .paletteBits = cheapest->paletteBits,
+                  .paletteBits = cheapest.paletteBits,
                   .visible = values.isVisible(),
                   .pointerBits = bitsOfGrids(scene.shape)};
   return scene;
@@ -40,26 +38,20 @@ Expected<SearchScene> finish(const std::string &name, SearchScene scene, SceneVa
 
 Expected<SearchScene> readWith(SceneDag::Detail detail, const std::string &name, const Opener &open,
                                const std::shared_ptr<WorkingMemory> &memory, const Progress &progress) {
-  const auto source = open();
-  if (!source)
-    return source.error();
-  Expected<SceneValues> values = SceneValues::create(memory);
-  if (!values)
-    return values.error();
-  const auto look = [&](std::span<const std::uint32_t> cells) { values->add(cells); };
-  Expected<SceneDag> dag = SceneDag::build(
-      **source, {.detail = detail, .mostNodes = memory->bound() / kNodeBytes, .look = look}, progress);
-  if (!dag)
-    return dag.error();
+  const auto source = VOXC_TRY(open());
+  auto values = VOXC_TRY(SceneValues::create(memory));
+  const auto look = [&](std::span<const std::uint32_t> cells) { values.add(cells); };
+  auto dag = VOXC_TRY(SceneDag::build(
+      *source, {.detail = detail, .mostNodes = memory->bound() / kNodeBytes, .look = look}, progress));
   const bool hasColours = detail == SceneDag::Detail::Colours;
-  SceneDag shape = hasColours ? dag->shape() : std::move(*dag);
+  SceneDag shape = hasColours ? dag.shape() : std::move(dag);
   return finish(name,
                 {.shape = std::move(shape),
-                 .colours = hasColours ? std::optional(std::move(*dag)) : std::nullopt,
-                 .extent = (*source)->extent(),
-                 .voxelToModel = (*source)->voxelToModel(),
+                 .colours = hasColours ? std::optional(std::move(dag)) : std::nullopt,
+                 .extent = source->extent(),
+                 .voxelToModel = source->voxelToModel(),
                  .traits = {}},
-                *values);
+                values);
 }
 
 int log2SideOf(const Candidate &candidate) { return maxComponent(candidate.format.log2Extent()); }
@@ -85,11 +77,9 @@ Expected<std::vector<Candidate>> candidatesOf(const std::vector<std::string> &te
   std::vector<Candidate> candidates;
   for (const std::string &text : texts)
     for (const SmallGrids grids : {SmallGrids::Pointed, SmallGrids::Numbered}) {
-      Expected<Candidate> candidate = makeCandidate(text, scene.traits, {.grids = grids});
-      if (!candidate)
-        return candidate.error();
-      if (grids == SmallGrids::Pointed || candidate->format != candidates.back().format)
-        candidates.push_back(std::move(*candidate));
+      auto candidate = VOXC_TRY(makeCandidate(text, scene.traits, {.grids = grids}));
+      if (grids == SmallGrids::Pointed || candidate.format != candidates.back().format)
+        candidates.push_back(std::move(candidate));
     }
   return candidates;
 }

@@ -36,11 +36,8 @@ Expected<FormatSuggestion> suggestFormat(const SearchScene &scene, SuggestOption
     suggestion.rays.push_back(set.name);
   }
   const Error none = explainNone(options.candidates, scene);
-  auto rated =
-      predictFormats(scene.modelled(), std::move(options.candidates), rays, model, options.wish, progress);
-  if (!rated)
-    return rated.error();
-  suggestion.rated = std::move(*rated);
+  suggestion.rated = VOXC_TRY(
+      predictFormats(scene.modelled(), std::move(options.candidates), rays, model, options.wish, progress));
   const auto choice = choose(suggestion.rated, options.wish);
   if (!choice)
     return none;

@@ -40,8 +40,7 @@ public:
 private:
   /// The voxels of a cube that is smaller than a bin.
   Expected<std::span<const CodedVoxel>> sortedVoxels(const Cube &cube) {
-    if (auto sorted = sort(cube.low >> bins_->log2Chunk()); !sorted)
-      return sorted.error();
+    VOXC_TRY(sort(cube.low >> bins_->log2Chunk()));
     const std::span<const CodedVoxel> all = std::as_const(sorted_).span();
     const std::uint64_t begin = mortonCode(cube.low);
     const auto before = [](const CodedVoxel &voxel, std::uint64_t code) { return voxel.code < code; };
@@ -53,10 +52,8 @@ private:
   Expected<void> sort(Int3 bin) {
     if (bin == bin_)
       return {};
-    if (auto sized = sorted_.resize(0); !sized)
-      return sized;
-    if (auto copied = sorted_.append(bins_->at(bin)); !copied)
-      return copied;
+    VOXC_TRY(sorted_.resize(0));
+    VOXC_TRY(sorted_.append(bins_->at(bin)));
     std::ranges::sort(sorted_.span(), [](const CodedVoxel &a, const CodedVoxel &b) {
       return a.code != b.code ? a.code < b.code : a.order < b.order;
     });
@@ -73,10 +70,8 @@ private:
 } // namespace
 
 Expected<BinnedVoxels> BinnedVoxels::create(Int3 extent, const std::shared_ptr<WorkingMemory> &memory) {
-  auto bins = Bins::create(extent, Bins::log2ChunkFor(extent, ChunkBricks::kLog2Chunk), memory);
-  if (!bins)
-    return bins.error();
-  return BinnedVoxels(extent, std::move(*bins), memory);
+  auto bins = VOXC_TRY(Bins::create(extent, Bins::log2ChunkFor(extent, ChunkBricks::kLog2Chunk), memory));
+  return BinnedVoxels(extent, std::move(bins), memory);
 }
 
 Expected<void> BinnedVoxels::allocate() {

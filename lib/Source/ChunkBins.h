@@ -35,8 +35,7 @@ public:
                                     const std::shared_ptr<WorkingMemory> &memory) {
     ChunkBins bins(log2Chunk, memory);
     const Int3 last = (extent - Int3{1, 1, 1}) >> log2Chunk;
-    if (auto sized = bins.ends_.resize(mortonCode(last) + 1); !sized)
-      return sized.error();
+    VOXC_TRY(bins.ends_.resize(mortonCode(last) + 1));
     return bins;
   }
 

@@ -46,8 +46,7 @@ public:
       std::fill_n(words, cellCount(cube.log2Side), 0u);
       return {};
     }
-    if (auto loaded = load(cube.low >> ChunkBricks::kLog2Chunk); !loaded)
-      return loaded;
+    VOXC_TRY(load(cube.low >> ChunkBricks::kLog2Chunk));
     bricks_.read(cube, words);
     return {};
   }
@@ -57,10 +56,8 @@ private:
     if (chunk == chunk_)
       return {};
     const Stopwatch watch;
-    const auto voxels = lists_->voxels(chunk);
-    if (!voxels)
-      return voxels.error();
-    bricks_.fill(*voxels);
+    const auto voxels = VOXC_TRY(lists_->voxels(chunk));
+    bricks_.fill(voxels);
     chunk_ = chunk;
     seconds_->fetch_add(watch.seconds(), std::memory_order_relaxed);
     return {};

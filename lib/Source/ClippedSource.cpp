@@ -30,8 +30,7 @@ public:
   bool empty(const Cube &cube) override { return isOutside(cube, extent_) || source_->empty(cube); }
 
   Expected<void> read(const Cube &cube, std::uint32_t *words) override {
-    if (auto done = source_->read(cube, words); !done)
-      return done;
+    VOXC_TRY(source_->read(cube, words));
     forEachCell(cube, [&](std::uint64_t index, Int3 cell) {
       if (!contains(extent_, cell))
         words[index] = 0;

@@ -43,10 +43,8 @@ struct Box {
 /// out. Errors: those of `skips` and of the source.
 template <typename Skips, typename Visit>
 Expected<void> forEachVoxel(VoxelSource &source, const Cube &cube, Skips &skips, Visit &visit) {
-  const Expected<bool> isSkipped = skips(cube);
-  if (!isSkipped)
-    return isSkipped.error();
-  if (*isSkipped || source.empty(cube))
+  const auto isSkipped = VOXC_TRY(skips(cube));
+  if (isSkipped || source.empty(cube))
     return {};
   if (cube.log2Side > kLog2Brick) {
     const int half = cube.log2Side - 1;
@@ -58,8 +56,7 @@ Expected<void> forEachVoxel(VoxelSource &source, const Cube &cube, Skips &skips,
     return {};
   }
   std::array<std::uint32_t, 512> words;
-  if (auto done = source.read(cube, words.data()); !done)
-    return done;
+  VOXC_TRY(source.read(cube, words.data()));
   forEachCell(cube, [&](std::uint64_t index, Int3 cell) {
     if (words[index] != 0)
       visit(cell, words[index]);
@@ -94,8 +91,7 @@ Expected<Box> boxOf(VoxelSource &source, const Progress &progress) {
       box.high[axis] = std::max(box.high[axis], cell[axis] + 1);
     }
   };
-  if (auto visited = forEachVoxel(source, all, skips, add); !visited)
-    return visited.error();
+  VOXC_TRY(forEachVoxel(source, all, skips, add));
   return box.high.x == 0 ? Box{{}, {1, 1, 1}} : box;
 }
 
@@ -121,8 +117,7 @@ public:
         voxels_.push_back({mortonCode(cell - box_.low), word});
     };
     for (const Cube &part : overlapped(cube))
-      if (auto visited = forEachVoxel(*source_, part, skips, add); !visited)
-        return visited.error();
+      VOXC_TRY(forEachVoxel(*source_, part, skips, add));
     return std::span<const CodedVoxel>(voxels_);
   }
 
@@ -170,14 +165,12 @@ Transform movedBy(Transform map, Int3 low) {
 } // namespace
 
 Expected<CroppedVoxels> crop(std::unique_ptr<VoxelSource> source, const Progress &progress) {
-  const auto box = boxOf(*source, progress);
-  if (!box)
-    return box.error();
-  if (box->low == Int3{})
-    return CroppedVoxels{clip(std::move(source), box->high), {}};
-  const Transform map = movedBy(source->voxelToModel(), box->low);
-  auto lists = std::make_unique<MovedLists>(std::move(source), *box);
-  return CroppedVoxels{makeChunkedSource(box->high - box->low, std::move(lists), map), box->low};
+  const auto box = VOXC_TRY(boxOf(*source, progress));
+  if (box.low == Int3{})
+    return CroppedVoxels{clip(std::move(source), box.high), {}};
+  const Transform map = movedBy(source->voxelToModel(), box.low);
+  auto lists = std::make_unique<MovedLists>(std::move(source), box);
+  return CroppedVoxels{makeChunkedSource(box.high - box.low, std::move(lists), map), box.low};
 }
 
 } // namespace voxc

@@ -26,8 +26,7 @@ public:
     for (std::uint64_t child = 0; child < 8; ++child) {
       const int log2Side = cube.log2Side - 1;
       const Int3 low = cube.low + mortonCell(child << 3 * log2Side);
-      if (auto compared = this->cube({low, log2Side}); !compared)
-        return compared;
+      VOXC_TRY(this->cube({low, log2Side}));
     }
     return {};
   }
@@ -47,10 +46,8 @@ private:
   }
 
   Expected<void> brick(const Cube &cube) {
-    if (auto got = read(before_, extentBefore_, cube, old_); !got)
-      return got;
-    if (auto got = read(after_, extentAfter_, cube, new_); !got)
-      return got;
+    VOXC_TRY(read(before_, extentBefore_, cube, old_));
+    VOXC_TRY(read(after_, extentAfter_, cube, new_));
     forEachCell(cube, [&](std::uint64_t index, Int3 cell) {
       if (old_[index] != new_[index])
         voxels_.push_back({cell, new_[index]});
@@ -73,8 +70,7 @@ Expected<std::vector<VoxelWord>> differenceOf(VoxelSource &before, VoxelSource &
   const int longestSide = std::max({a.x, a.y, a.z, b.x, b.y, b.z, 1 << kLog2Brick});
   const int log2Side = std::bit_width(static_cast<unsigned>(longestSide) - 1);
   Comparison comparison(before, after);
-  if (auto compared = comparison.cube({{0, 0, 0}, log2Side}); !compared)
-    return compared.error();
+  VOXC_TRY(comparison.cube({{0, 0, 0}, log2Side}));
   return comparison.takeVoxels();
 }
 

@@ -37,8 +37,7 @@ public:
   }
 
   Expected<void> read(const Cube &cube, std::uint32_t *words) override {
-    if (auto done = source_->read(cube, words); !done)
-      return done;
+    VOXC_TRY(source_->read(cube, words));
     for (const VoxelEdit &edit : *edits_)
       if (edit.touches(cube))
         apply(edit, cube, words);
@@ -94,8 +93,7 @@ Expected<void> checkEdits(std::span<const VoxelEdit> edits, Int3 extent) {
 
 Expected<std::unique_ptr<VoxelSource>> makeEditedSource(std::shared_ptr<const Volume> volume,
                                                         std::vector<VoxelEdit> edits) {
-  if (auto checked = checkEdits(edits, volume->info().extent); !checked)
-    return checked.error();
+  VOXC_TRY(checkEdits(edits, volume->info().extent));
   return std::unique_ptr<VoxelSource>(std::make_unique<EditedSource>(
       makeVolumeSource(std::move(volume)), std::make_shared<const std::vector<VoxelEdit>>(std::move(edits))));
 }

@@ -43,19 +43,16 @@ std::unique_ptr<VoxelSource> makeGridSource(Int3 extent, std::vector<std::uint32
 Expected<std::unique_ptr<VoxelSource>> loadGridSource(Int3 extent, const std::string &path,
                                                       std::shared_ptr<WorkingMemory> memory,
                                                       const Progress &progress) {
-  if (auto possible = checkGridExtent(extent); !possible)
-    return possible.error();
-  auto file = WatchedFile::open(path, memory);
-  if (!file)
-    return file.error();
+  VOXC_TRY(checkGridExtent(extent));
+  auto file = VOXC_TRY(WatchedFile::open(path, memory));
   const std::uint64_t count = cellsOf(extent);
-  const std::uint64_t bytes = (*file)->bytes().size();
+  const std::uint64_t bytes = file->bytes().size();
   if (bytes % 4 != 0 || bytes / 4 != count)
     return Error::input("'" + path + "' has " + std::to_string(bytes) + " bytes, but a grid of " +
                         toText(extent) + " cells has " + std::to_string(count) + " words of 4 bytes");
-  const std::byte *const words = (*file)->bytes().data();
+  const std::byte *const words = file->bytes().data();
   using FileRows = WordRows<std::shared_ptr<const WatchedFile>>;
-  return makeDenseSource(extent, std::make_shared<FileRows>(extent, std::move(*file), words), {},
+  return makeDenseSource(extent, std::make_shared<FileRows>(extent, std::move(file), words), {},
                          std::move(memory), progress);
 }
 

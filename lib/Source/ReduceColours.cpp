@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
 #include <span>
 #include <unordered_set>
 #include <vector>
@@ -77,8 +76,7 @@ Expected<Histogram> histogramOf(VoxelSource &source, std::size_t few, const Prog
     if (isOutside(cube, source.extent()) || source.empty(cube))
       continue;
     if (cube.log2Side <= kLog2Brick) {
-      if (auto done = source.read(cube, brick.data()); !done)
-        return done.error();
+      VOXC_TRY(source.read(cube, brick.data()));
       for (std::uint64_t i = 0; i < cellCount(cube.log2Side); ++i)
         if (brick[i] != 0)
           take(brick[i]);
@@ -172,12 +170,10 @@ bool refine(const std::vector<Cell> &histogram, std::span<const std::size_t> cel
 } // namespace
 
 Expected<Rounding> reduceColours(VoxelSource &source, std::size_t most, const Progress &progress) {
-  const auto found = histogramOf(source, most, progress);
-  if (!found)
-    return found.error();
-  if (found->hasFew)
+  const auto found = VOXC_TRY(histogramOf(source, most, progress));
+  if (found.hasFew)
     return Rounding();
-  const std::vector<Cell> &histogram = found->cells;
+  const std::vector<Cell> &histogram = found.cells;
   std::vector<std::size_t> cells;
   for (std::size_t cell = 0; cell < kCells; ++cell)
     if (histogram[cell].voxels > 0)

@@ -64,8 +64,7 @@ std::unique_ptr<VoxelSource> RoundedSource::view() const {
 }
 
 Expected<void> RoundedSource::read(const Cube &cube, std::uint32_t *words) {
-  if (auto done = source_->read(cube, words); !done)
-    return done;
+  VOXC_TRY(source_->read(cube, words));
   ColourErrorSum sum;
   for (std::uint64_t at = 0; at < cellCount(cube.log2Side); ++at) {
     if (words[at] == 0)

@@ -143,19 +143,14 @@ Expected<void> OutputFile::commit() {
 }
 
 Expected<std::string> readTextFile(const std::string &path) {
-  auto file = MappedFile::open(path);
-  if (!file)
-    return file.error();
-  return std::string(reinterpret_cast<const char *>(file->bytes().data()), file->bytes().size());
+  auto file = VOXC_TRY(MappedFile::open(path));
+  return std::string(reinterpret_cast<const char *>(file.bytes().data()), file.bytes().size());
 }
 
 Expected<void> writeFile(const std::string &path, std::string_view bytes) {
-  auto output = OutputFile::create(path);
-  if (!output)
-    return output.error();
-  if (auto written = output->write(bytes.data(), bytes.size()); !written)
-    return written.error();
-  return output->commit();
+  auto output = VOXC_TRY(OutputFile::create(path));
+  VOXC_TRY(output.write(bytes.data(), bytes.size()));
+  return output.commit();
 }
 
 } // namespace voxc

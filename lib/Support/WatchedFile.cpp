@@ -5,10 +5,8 @@ namespace voxc {
 
 Expected<std::shared_ptr<const WatchedFile>> WatchedFile::open(const std::string &path,
                                                                std::shared_ptr<WorkingMemory> memory) {
-  auto file = MappedFile::open(path);
-  if (!file)
-    return file.error();
-  return std::make_shared<const WatchedFile>(std::move(*file), std::move(memory));
+  auto file = VOXC_TRY(MappedFile::open(path));
+  return std::make_shared<const WatchedFile>(std::move(file), std::move(memory));
 }
 
 WatchedFile::WatchedFile(MappedFile file, std::shared_ptr<WorkingMemory> memory)

@@ -114,11 +114,8 @@ Expected<MemoryBlock> WorkingMemory::reserve(std::uint64_t most) {
 }
 
 Expected<MemoryBlock> WorkingMemory::allocate(std::uint64_t bytes) {
-  auto block = reserve(bytes);
-  if (!block)
-    return block;
-  if (auto extended = extend(*block, block->reserved_); !extended)
-    return extended.error();
+  auto block = VOXC_TRY(reserve(bytes));
+  VOXC_TRY(extend(block, block.reserved_));
   return block;
 }
 
@@ -214,16 +211,14 @@ Expected<void> WorkingMemory::flush(MemoryBlock &block, std::uint64_t begin, std
 }
 
 Expected<void> WorkingMemory::resize(MemoryBlock &block, std::uint64_t bytes) {
-  auto resized = allocate(bytes);
-  if (!resized)
-    return resized.error();
+  auto resized = VOXC_TRY(allocate(bytes));
   constexpr std::uint64_t kStep = std::uint64_t{1} << 20;
   const std::uint64_t kept = std::min(bytes, block.size_);
   for (std::uint64_t done = 0; done < kept; done += kStep) {
-    std::memcpy(resized->data_ + done, block.data_ + done, std::min(kStep, kept - done));
+    std::memcpy(resized.data_ + done, block.data_ + done, std::min(kStep, kept - done));
     relieveNow();
   }
-  block = std::move(*resized);
+  block = std::move(resized);
   return {};
 }
 

@@ -4,9 +4,6 @@
 #include "Decode.h"
 #include "StreamTable.h"
 
-#include <algorithm>
-#include <array>
-
 namespace voxc {
 namespace {
 

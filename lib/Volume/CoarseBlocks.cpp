@@ -112,8 +112,7 @@ Expected<CoarseBlocks> makeCoarseBlocks(const Volume &volume, int log2Side, cons
   BlockGatherer gatherer(log2Side);
   bool fits = true;
   const auto visit = [&](const Cube &cube, std::uint32_t word) { return fits = gatherer.add(cube, word); };
-  if (auto decoded = decode(volume, visit, progress); !decoded)
-    return decoded.error();
+  VOXC_TRY(decode(volume, visit, progress));
   if (!fits || !gatherer.finish())
     return Error::usage("the volume has more than " + std::to_string(kMostCoarseBlocks) + " blocks of " +
                         std::to_string(1 << log2Side) + " voxels a side, the limit: take larger ones");

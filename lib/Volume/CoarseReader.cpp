@@ -2,7 +2,6 @@
 #include "voxc/Volume/CoarseBlocks.h"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 
 namespace voxc {
@@ -70,8 +69,7 @@ Expected<CoarseBlocks> readStream(const PagedVolume &volume, std::size_t index, 
   std::vector<CoarseBlock> page(stream.pageBytes / sizeof(CoarseBlock)); // Pages are whole elements.
   for (std::uint64_t i = 0; i < stream.pages(); ++i) {
     const auto room = std::as_writable_bytes(std::span(page)).first(stream.bytesOf(i));
-    if (auto decoded = volume.decode(index, i, room); !decoded)
-      return decoded.error();
+    VOXC_TRY(volume.decode(index, i, room));
     if (std::string problem = reader.add(std::span(page).first(room.size() / sizeof(CoarseBlock)));
         !problem.empty())
       return Error::input("the file " + problem);

@@ -36,13 +36,11 @@ Expected<std::vector<StreamPages>> readPageTables(std::span<const StreamRow> row
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (std::string problem = describeProblem(rows, i); !problem.empty())
       return Error::input(std::move(problem));
-    auto stream = streamOf(rows[i]);
-    if (!stream)
-      return stream.error();
-    const std::uint64_t pages = stream->pages();
+    auto stream = VOXC_TRY(streamOf(rows[i]));
+    const std::uint64_t pages = stream.pages();
     if (pages > (headBytes - end) / sizeof(PageRow))
-      return Error::input("has a stream '" + stream->name + "' of more pages than its head lists");
-    StreamPages &read = streams.emplace_back(std::move(*stream), rows[i].offset, std::vector<PageRow>(pages));
+      return Error::input("has a stream '" + stream.name + "' of more pages than its head lists");
+    StreamPages &read = streams.emplace_back(std::move(stream), rows[i].offset, std::vector<PageRow>(pages));
     if (pages > 0)
       std::memcpy(read.rows.data(), file.data() + end, pages * sizeof(PageRow));
     end += pages * sizeof(PageRow);

@@ -34,19 +34,15 @@ private:
 
 Expected<MemoryBlock> StreamDecoder::decode(std::size_t stream) const {
   const PagedStream &told = file_.streams()[stream];
-  auto block = memory_->reserve(told.bytes);
-  if (!block)
-    return block;
+  auto block = VOXC_TRY(memory_->reserve(told.bytes));
   const std::uint64_t runPages = kRunBytes / told.pageBytes;
   for (std::uint64_t first = 0; first < told.pages(); first += runPages) {
     if (progress_.stopped())
       return Error::interrupted();
     const std::uint64_t last = std::min(first + runPages, told.pages());
     const std::uint64_t begin = first * told.pageBytes;
-    if (auto grown = memory_->extend(*block, std::min(kRunBytes, told.bytes - begin)); !grown)
-      return grown.error();
-    if (auto decoded = decodeRun(stream, first, last, block->data()); !decoded)
-      return decoded.error();
+    VOXC_TRY(memory_->extend(block, std::min(kRunBytes, told.bytes - begin)));
+    VOXC_TRY(decodeRun(stream, first, last, block.data()));
   }
   return block;
 }
@@ -69,11 +65,9 @@ Expected<Volume> decodeAll(const PagedVolume &file, const LoadOptions &options) 
   std::vector<Stream> streams;
   for (std::size_t i = 0; i < file.streams().size(); ++i) {
     const PagedStream &told = file.streams()[i];
-    auto block = decoder.decode(i);
-    if (!block)
-      return block.error();
-    streams.push_back({told.name, told.elementBytes, {block->data(), told.bytes}, told.storedBytes});
-    blocks->push_back(std::move(*block));
+    auto block = VOXC_TRY(decoder.decode(i));
+    streams.push_back({told.name, told.elementBytes, {block.data(), told.bytes}, told.storedBytes});
+    blocks->push_back(std::move(block));
   }
   return Volume(file.info(), std::move(streams), std::move(blocks));
 }

@@ -56,8 +56,7 @@ Expected<void> PageAppender::appendRun(const Stream &stream, std::uint64_t begin
     stored[i] = encoders_[i].encode(page, stream.elementBytes);
   });
   for (const auto &page : stored) {
-    if (auto written = file_.write(page.data(), page.size()); !written)
-      return written;
+    VOXC_TRY(file_.write(page.data(), page.size()));
     Checksum checksum;
     checksum.add(page.data(), page.size());
     end_ += page.size();
@@ -74,8 +73,7 @@ Expected<std::vector<PageRow>> PageAppender::append(const Stream &stream) {
     if (options_.progress.stopped())
       return Error::interrupted();
     options_.progress.at("compress", static_cast<double>(begin) / static_cast<double>(stream.bytes.size()));
-    if (auto appended = appendRun(stream, begin, rows); !appended)
-      return appended.error();
+    VOXC_TRY(appendRun(stream, begin, rows));
   }
   return rows;
 }
@@ -90,13 +88,11 @@ std::uint64_t pagesOf(std::span<const Stream> streams, std::uint64_t pageBytes) 
 } // namespace
 
 Expected<PagedFileWriter> PagedFileWriter::create(const std::string &path) {
-  auto file = OutputFile::create(path);
-  if (!file)
-    return file.error();
-  if (!file->isRegular())
+  auto file = VOXC_TRY(OutputFile::create(path));
+  if (!file.isRegular())
     return Error::input("'" + path +
                         "' is no regular file, and a compressed volume can be written to such a one only");
-  return PagedFileWriter(std::move(*file));
+  return PagedFileWriter(std::move(file));
 }
 
 Expected<void> PagedFileWriter::finish(const VolumeInfo &info, std::span<const Stream> streams,
@@ -108,8 +104,7 @@ Expected<void> PagedFileWriter::finish(const VolumeInfo &info, std::span<const S
   header.version = kPagedVersion;
   header.headBytes = wholePages(header.textEnd() + pagesOf(streams, options.pageBytes) * sizeof(PageRow));
   const std::string room(header.headBytes, '\0');
-  if (auto written = file_.write(room.data(), room.size()); !written)
-    return written;
+  VOXC_TRY(file_.write(room.data(), room.size()));
 
   PageAppender appender(file_, header.headBytes, options);
   auto rows = layOut(streams, header.headBytes);
@@ -117,10 +112,8 @@ Expected<void> PagedFileWriter::finish(const VolumeInfo &info, std::span<const S
   for (std::size_t i = 0; i < streams.size(); ++i) {
     rows[i].pageBytes = options.pageBytes;
     rows[i].offset = appender.end();
-    const auto pages = appender.append(streams[i]);
-    if (!pages)
-      return pages.error();
-    tables.append(reinterpret_cast<const char *>(pages->data()), pages->size() * sizeof(PageRow));
+    const auto pages = VOXC_TRY(appender.append(streams[i]));
+    tables.append(reinterpret_cast<const char *>(pages.data()), pages.size() * sizeof(PageRow));
   }
   header.fileBytes = appender.end();
 
@@ -129,8 +122,7 @@ Expected<void> PagedFileWriter::finish(const VolumeInfo &info, std::span<const S
   Checksum checksum;
   addAllButItself(checksum, std::as_bytes(std::span(head)));
   seal(head, checksum.digest());
-  if (auto written = file_.rewrite(0, head.data(), head.size()); !written)
-    return written;
+  VOXC_TRY(file_.rewrite(0, head.data(), head.size()));
   return file_.commit();
 }
 

@@ -40,28 +40,21 @@ std::uint64_t storedBytes(const StreamPages &stream) {
 } // namespace
 
 Expected<void> PagedVolume::State::readHead() {
-  const auto header = readHeader(file);
-  if (!header)
-    return header.error();
-  if (header->version != kPagedVersion)
+  const auto header = VOXC_TRY(readHeader(file));
+  if (header.version != kPagedVersion)
     return Error::input(
         "is not compressed: it has no pages to decode; `voxc export --compress` makes a file that has");
-  auto read = readPageTables(rowsOf(*header, file), header->textEnd(), header->headBytes, file);
-  if (!read)
-    return read.error();
+  auto read = VOXC_TRY(readPageTables(rowsOf(header, file), header.textEnd(), header.headBytes, file));
   Checksum checksum;
-  addAllButItself(checksum, file.first(header->headBytes));
-  if (checksum.digest() != header->checksum)
+  addAllButItself(checksum, file.first(header.headBytes));
+  if (checksum.digest() != header.checksum)
     return Error::input("is damaged: its checksum does not match its head");
-  if (std::string problem = describeProblem(*read, header->headBytes, file.size()); !problem.empty())
+  if (std::string problem = describeProblem(read, header.headBytes, file.size()); !problem.empty())
     return Error::input(std::move(problem));
-  auto told = infoOf(*header, file);
-  if (!told)
-    return told.error();
-  info = std::move(*told);
-  headChecksum = header->checksum;
-  headBytes = header->headBytes;
-  pages = std::move(*read);
+  info = VOXC_TRY(infoOf(header, file));
+  headChecksum = header.checksum;
+  headBytes = header.headBytes;
+  pages = std::move(read);
   for (const StreamPages &stream : pages) {
     streams.push_back(stream.stream);
     streams.back().storedBytes = storedBytes(stream);
@@ -75,12 +68,9 @@ PagedVolume::PagedVolume(PagedVolume &&) noexcept = default;
 PagedVolume &PagedVolume::operator=(PagedVolume &&) noexcept = default;
 
 Expected<PagedVolume> PagedVolume::open(const std::string &path) {
-  if (auto checked = checkNoJournal(path); !checked)
-    return checked.error();
-  auto opened = MappedFile::open(path);
-  if (!opened)
-    return opened.error();
-  const auto file = std::make_shared<const MappedFile>(std::move(*opened));
+  VOXC_TRY(checkNoJournal(path));
+  auto opened = VOXC_TRY(MappedFile::open(path));
+  const auto file = std::make_shared<const MappedFile>(std::move(opened));
   return read(file->bytes(), file, path);
 }
 
@@ -138,8 +128,7 @@ Expected<void> PagedVolume::chooseFrame(int number) {
   const std::uint64_t place = (static_cast<std::uint64_t>(number) - 1) * sizeof(Frame);
   const std::uint64_t page = place / stream->pageBytes; // Pages are whole frames: powers of two.
   std::vector<std::byte> room(stream->bytesOf(page));
-  if (auto read = decode(static_cast<std::size_t>(stream - streams().begin()), page, room); !read)
-    return read;
+  VOXC_TRY(decode(static_cast<std::size_t>(stream - streams().begin()), page, room));
   Frame frame;
   std::memcpy(&frame, room.data() + place % stream->pageBytes, sizeof frame);
   state_->frame = frame;

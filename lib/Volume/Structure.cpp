@@ -5,6 +5,8 @@
 #include "voxc/Layout/Values.h"
 #include "voxc/Volume/Volume.h"
 
+#include "Support/HashTable.h"
+
 #include <algorithm>
 #include <bit>
 #include <utility>
@@ -13,72 +15,31 @@ namespace voxc {
 
 namespace {
 
-/// The voxels of nodes, by what refers to them: an open hash table.
+/// The voxels of nodes, by what refers to them.
 class NodeCounts {
 public:
   /// 0 if the node is not known.
   std::uint64_t find(Ref ref) const {
-    if (entries_.empty())
-      return 0;
-    const Entry &entry = entries_[place(ref)];
-    if (entry.ref != ref)
-      return 0;
-    return entry.voxels < kLarge ? entry.voxels : large_[entry.voxels - kLarge];
+    const std::uint32_t *voxels = voxels_.find(ref);
+    return !voxels ? 0 : *voxels < kLarge ? *voxels : large_[*voxels - kLarge];
   }
 
-  /// Brings near where the search for a node begins.
-  void fetch(Ref ref) const {
-    if (!entries_.empty())
-      __builtin_prefetch(&entries_[home(ref)]);
-  }
+  void fetch(Ref ref) const { voxels_.fetch(ref); }
 
   /// `ref` is not 0 and not known yet; it has at least one voxel.
   void insert(Ref ref, std::uint64_t voxels) {
-    if (3 * (used_ + 1) > 2 * entries_.size())
-      grow();
-    std::uint64_t entry = voxels;
-    if (voxels >= kLarge) {
-      entry = kLarge + large_.size();
+    voxels_[ref] = static_cast<std::uint32_t>(voxels < kLarge ? voxels : kLarge + large_.size());
+    if (voxels >= kLarge)
       large_.push_back(voxels);
-    }
-    entries_[place(ref)] = {ref, static_cast<std::uint32_t>(entry)};
-    ++used_;
   }
 
 private:
-  struct Entry {
-    Ref ref = 0; ///< 0: the entry is free.
-    std::uint32_t voxels = 0;
-  };
-
   /// Numbers of voxels from here on stand in `large_`, and their entries say where.
   static constexpr std::uint64_t kLarge = std::uint64_t{1} << 31;
   /// Nodes that lie next to each other in the file are looked for at one time, so their entries do too.
-  static constexpr std::size_t kNeighbours = 16;
+  static constexpr int kLog2Neighbours = 4;
 
-  std::size_t home(Ref ref) const {
-    const std::uint64_t group = (ref / kNeighbours) * std::uint64_t{0x9e3779b97f4a7c15} >> 32;
-    return (group + ref % kNeighbours) & (entries_.size() - 1);
-  }
-
-  /// Where the entry of a reference is, or belongs.
-  std::size_t place(Ref ref) const {
-    std::size_t at = home(ref);
-    while (entries_[at].ref != 0 && entries_[at].ref != ref)
-      at = (at + 1) & (entries_.size() - 1);
-    return at;
-  }
-
-  void grow() {
-    const auto old =
-        std::exchange(entries_, std::vector<Entry>(std::max<std::size_t>(2 * entries_.size(), 16)));
-    for (const Entry &entry : old)
-      if (entry.ref != 0)
-        entries_[place(entry.ref)] = entry;
-  }
-
-  std::vector<Entry> entries_; ///< A power of two of them, or none.
-  std::size_t used_ = 0;
+  HashTable<std::uint32_t, Ref, kLog2Neighbours> voxels_;
   std::vector<std::uint64_t> large_;
 };
 
@@ -94,8 +55,7 @@ public:
   }
 
   Expected<std::uint64_t> run() {
-    if (auto sized = checkSize(); !sized)
-      return sized.error();
+    VOXC_TRY(checkSize());
     const std::uint32_t root = words_[0];
     if (root == 0 && words_.size() == layout_.headWords())
       return std::uint64_t{0};
@@ -107,8 +67,7 @@ public:
 
   /// Nodes that an earlier frame had are known, and not gone through again.
   Expected<void> run(std::span<const Frame> frames) {
-    if (auto sized = checkSize(); !sized)
-      return sized;
+    VOXC_TRY(checkSize());
     for (std::size_t i = 0; i < frames.size() && !done(); ++i) {
       voxels_ = 0;
       if (frames[i].root != 0)

@@ -67,12 +67,10 @@ Expected<void> Volume::chooseFrame(int number) {
   const std::span<const Frame> frames = framesOf(*this);
   if (frames.empty() && number == 1)
     return {};
-  if (auto checked = checkFrameNumber(number, frames.size()); !checked)
-    return checked;
+  VOXC_TRY(checkFrameNumber(number, frames.size()));
   const Frame frame = frames[static_cast<std::size_t>(number) - 1];
   const std::span<const std::uint32_t> root(&frame.root, 1);
-  if (auto written = writeOver(std::as_bytes(words().first(1)), std::as_bytes(root)); !written)
-    return written;
+  VOXC_TRY(writeOver(std::as_bytes(words().first(1)), std::as_bytes(root)));
   state_->info.voxels = frame.voxels;
   state_->info.wordCounts.reset();
   std::erase_if(state_->streams, [](const Stream &stream) { return stream.name == kFrameStream; });
@@ -95,18 +93,13 @@ Expected<void> checkNoJournal(const std::string &volumePath) {
 
 Expected<Volume> Volume::load(const std::string &path, const LoadOptions &options) {
   if (!options.withoutJournal)
-    if (auto checked = checkNoJournal(path); !checked)
-      return checked.error();
-  auto opened = MappedFile::open(path);
-  if (!opened)
-    return opened.error();
-  const auto file = std::make_shared<const MappedFile>(std::move(*opened));
-  auto volume = readVolumeFile(file->bytes(), file, path, options);
-  if (!volume)
-    return volume;
-  volume->allowCubes(options.mostCubes);
+    VOXC_TRY(checkNoJournal(path));
+  auto opened = VOXC_TRY(MappedFile::open(path));
+  const auto file = std::make_shared<const MappedFile>(std::move(opened));
+  auto volume = VOXC_TRY(readVolumeFile(file->bytes(), file, path, options));
+  volume.allowCubes(options.mostCubes);
   if (options.frame != 0)
-    if (auto chosen = volume->chooseFrame(options.frame); !chosen)
+    if (auto chosen = volume.chooseFrame(options.frame); !chosen)
       return Error{chosen.error().kind, "'" + path + "': " + chosen.error().message};
   return volume;
 }
@@ -119,22 +112,17 @@ Expected<void> Volume::save(const std::string &path, const SaveOptions &options)
 }
 
 Expected<void> Volume::saveMapped(const std::string &path) const {
-  auto file = OutputFile::create(path);
-  if (!file)
-    return file.error();
+  auto file = VOXC_TRY(OutputFile::create(path));
   const std::string head = volumeFileHead(info(), streams());
-  if (auto written = file->write(head.data(), head.size()); !written)
-    return written;
+  VOXC_TRY(file.write(head.data(), head.size()));
   std::uint64_t end = head.size();
   for (const Stream &stream : streams()) {
     const std::string padding(placeOf(stream.bytes.size(), end) - end, '\0');
-    if (auto written = file->write(padding.data(), padding.size()); !written)
-      return written;
-    if (auto written = file->write(stream.bytes.data(), stream.bytes.size()); !written)
-      return written;
+    VOXC_TRY(file.write(padding.data(), padding.size()));
+    VOXC_TRY(file.write(stream.bytes.data(), stream.bytes.size()));
     end += padding.size() + stream.bytes.size();
   }
-  return file->commit();
+  return file.commit();
 }
 
 } // namespace voxc

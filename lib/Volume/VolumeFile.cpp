@@ -82,8 +82,7 @@ Expected<Volume> readVolumeFile(std::span<const std::byte> bytes, std::shared_pt
     if (auto framed = checkFrames(*volume); !framed)
       return broken(name, framed.error().message);
   if (volume && !options.trusted)
-    if (auto checked = checkWords(*volume, name, options.progress); !checked)
-      return checked.error();
+    VOXC_TRY(checkWords(*volume, name, options.progress));
   return volume;
 }
 

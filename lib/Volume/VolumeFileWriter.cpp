@@ -10,10 +10,8 @@ namespace voxc {
 
 Expected<VolumeFileWriter> VolumeFileWriter::create(const std::string &path, const VolumeInfo &info,
                                                     std::size_t streams) {
-  auto file = OutputFile::create(path);
-  if (!file)
-    return file.error();
-  return VolumeFileWriter(path, std::move(*file), volumeHeadBytes(info, streams));
+  auto file = VOXC_TRY(OutputFile::create(path));
+  return VolumeFileWriter(path, std::move(file), volumeHeadBytes(info, streams));
 }
 
 Expected<void> VolumeFileWriter::flush(MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes,
@@ -29,8 +27,7 @@ Expected<void> VolumeFileWriter::write(std::uint64_t offset, std::span<const std
   constexpr std::size_t kPiece = std::size_t{4} << 20;
   while (!bytes.empty()) {
     const auto piece = bytes.first(std::min(kPiece, bytes.size()));
-    if (auto written = file_.rewrite(offset, piece.data(), piece.size()); !written)
-      return written;
+    VOXC_TRY(file_.rewrite(offset, piece.data(), piece.size()));
     memory.relieve(piece.size());
     offset += piece.size();
     bytes = bytes.subspan(piece.size());
@@ -44,17 +41,13 @@ Expected<void> VolumeFileWriter::finish(const VolumeInfo &info, std::span<const 
   const auto words = streams.front().bytes;
   const std::uint64_t headEnd = std::min<std::uint64_t>(flushed.first, words.size());
   const std::uint64_t tail = std::min<std::uint64_t>(flushed.second, words.size());
-  if (auto written = write(wordsOffset_, words.first(headEnd), memory); !written)
-    return written;
-  if (auto written = write(wordsOffset_ + tail, words.subspan(tail), memory); !written)
-    return written;
+  VOXC_TRY(write(wordsOffset_, words.first(headEnd), memory));
+  VOXC_TRY(write(wordsOffset_ + tail, words.subspan(tail), memory));
   const auto rows = layOut(streams, wordsOffset_);
   for (std::size_t i = 1; i < streams.size(); ++i)
-    if (auto written = write(rows[i].offset, streams[i].bytes, memory); !written)
-      return written;
+    VOXC_TRY(write(rows[i].offset, streams[i].bytes, memory));
   const std::string head = volumeFileHead(info, streams, [&] { memory.relieve(); });
-  if (auto written = file_.rewrite(0, head.data(), head.size()); !written)
-    return written;
+  VOXC_TRY(file_.rewrite(0, head.data(), head.size()));
   return file_.commit();
 }
 

@@ -10,11 +10,9 @@ namespace voxc {
 namespace {
 
 Expected<VolumeSummary> summarizePaged(std::span<const std::byte> file, const std::string &path) {
-  const auto paged = PagedVolume::read(file, nullptr, path);
-  if (!paged)
-    return paged.error();
-  VolumeSummary summary{paged->info(), {}};
-  for (const PagedStream &stream : paged->streams())
+  const auto paged = VOXC_TRY(PagedVolume::read(file, nullptr, path));
+  VolumeSummary summary{paged.info(), {}};
+  for (const PagedStream &stream : paged.streams())
     summary.streams.push_back(
         {stream.name, stream.elementBytes, stream.bytes, stream.storedBytes, stream.pageBytes});
   return summary;
@@ -25,10 +23,8 @@ Expected<VolumeSummary> summarizeMapped(const Header &header, std::span<const st
   const auto rows = rowsOf(header, file);
   if (std::string problem = describeProblem(rows, header.headBytes, file.size()); !problem.empty())
     return Error::input(std::move(problem));
-  auto info = infoOf(header, file);
-  if (!info)
-    return info.error();
-  VolumeSummary summary{std::move(*info), {}};
+  auto info = VOXC_TRY(infoOf(header, file));
+  VolumeSummary summary{std::move(info), {}};
   for (const StreamRow &row : rows) {
     const std::uint64_t bytes = row.elements * row.elementBytes;
     summary.streams.push_back({std::string(nameOf(row)), row.elementBytes, bytes, bytes});
@@ -53,16 +49,14 @@ std::uint64_t VolumeSummary::storedBytes() const {
 }
 
 Expected<VolumeSummary> summarizeVolume(const std::string &path) {
-  const auto file = MappedFile::open(path);
-  if (!file)
-    return file.error();
+  const auto file = VOXC_TRY(MappedFile::open(path));
   const auto broken = [&](const Error &error) { return Error::input("'" + path + "' " + error.message); };
-  const auto header = readHeader(file->bytes());
+  const auto header = readHeader(file.bytes());
   if (!header)
     return broken(header.error());
   if (header->version == kPagedVersion)
-    return summarizePaged(file->bytes(), path);
-  auto summary = summarizeMapped(*header, file->bytes());
+    return summarizePaged(file.bytes(), path);
+  auto summary = summarizeMapped(*header, file.bytes());
   return summary ? std::move(summary) : broken(summary.error());
 }
 

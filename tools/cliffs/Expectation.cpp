@@ -138,10 +138,8 @@ StagedRays someOf(const StagedRays &rays, std::size_t count) {
 Expected<Expectation> expect(const Machine &machine, const Calibration &calibration, const Stage &stage,
                              const Situation &situation, const Subject &subject, const StagedRays &all,
                              const StagedRays &some) {
-  const auto plan = makePlan(askedFormat(stage.place, situation), kCpuPlan);
-  if (!plan)
-    return plan.error();
-  const Simulated simulated(machine, stage, *plan);
+  const auto plan = VOXC_TRY(makePlan(askedFormat(stage.place, situation), kCpuPlan));
+  const Simulated simulated(machine, stage, plan);
   Expectation expected;
   const auto lanes = static_cast<double>((all.plain.size() + kLanes - 1) / kLanes * kLanes);
   const auto count = static_cast<double>(all.plain.size());

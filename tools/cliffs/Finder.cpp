@@ -45,25 +45,19 @@ Expected<Finder> Finder::create(std::vector<Machine> machines, const FinderOptio
                                 std::optional<Peer> peer) {
   Finder finder(std::move(machines), options, std::move(peer));
   if (!options.countsAlone)
-    if (auto done = finder.calibrate(); !done)
-      return done.error();
+    VOXC_TRY(finder.calibrate());
   return finder;
 }
 
 Expected<void> Finder::calibrate() {
-  if (auto entered = enter(referencePlace()); !entered)
-    return entered;
+  VOXC_TRY(enter(referencePlace()));
   Situation one{.rays = "missing", .count = 1}, reference{.rays = "near", .count = 65536};
   for (std::size_t machine = 0; machine < machines_.size(); ++machine) {
     Calibration &calibration = calibrations_[machine];
-    const auto call = findOn(machine, one, raysOf(*stage_, one), {.scale = 0, .perCall = 1});
-    if (!call)
-      return call.error();
-    calibration.perCall = (*call)->cost.nanoseconds;
-    const auto rays = findOn(machine, reference, raysOf(*stage_, reference), calibration);
-    if (!rays)
-      return rays.error();
-    calibration.scale = (*rays)->ratio();
+    const auto call = VOXC_TRY(findOn(machine, one, raysOf(*stage_, one), {.scale = 0, .perCall = 1}));
+    calibration.perCall = call->cost.nanoseconds;
+    const auto rays = VOXC_TRY(findOn(machine, reference, raysOf(*stage_, reference), calibration));
+    calibration.scale = rays->ratio();
   }
   place_.reset();
   return {};
@@ -77,11 +71,9 @@ Expected<void> Finder::enter(const Place &place) {
   stage_.reset();
   for (KernelShelf &shelf : shelves_)
     shelf.clear();
-  auto stage = Stage::build(place);
-  if (!stage)
-    return stage.error();
-  if (*stage)
-    stage_.emplace(std::move(**stage));
+  auto stage = VOXC_TRY(Stage::build(place));
+  if (stage)
+    stage_.emplace(std::move(*stage));
   return {};
 }
 
@@ -113,43 +105,27 @@ Expected<std::vector<Finding>> Finder::find(std::uint64_t number) {
 Expected<std::optional<Finding>> Finder::findOn(std::size_t machine, const Situation &situation,
                                                 const StagedRays &rays, const Calibration &calibration) {
   KernelShelf &shelf = shelves_[machine];
-  auto subject = Subject::of(shelf, *stage_, situation, rays);
+  auto subject = VOXC_TRY(Subject::of(shelf, *stage_, situation, rays));
   if (!subject)
-    return subject.error();
-  if (!*subject)
     return std::optional<Finding>();
   Finding finding{.place = stage_->place, .situation = situation, .machine = machines_[machine].name};
-  for (unsigned call = 0; options_.countsAlone && call < kCountedCalls; ++call) {
-    auto counted = countCall(**subject);
-    if (!counted)
-      return counted.error();
-    finding.cost.allocations = *counted;
-  }
-  if (!options_.countsAlone) {
-    auto cost = measure(**subject);
-    if (!cost)
-      return cost.error();
-    finding.cost = *cost;
-  }
+  for (unsigned call = 0; options_.countsAlone && call < kCountedCalls; ++call)
+    finding.cost.allocations = VOXC_TRY(countCall(*subject));
+  if (!options_.countsAlone)
+    finding.cost = VOXC_TRY(measure(*subject));
   const StagedRays some = someOf(rays, kSimulatedRays);
-  auto expected = expect(machines_[machine], calibration, *stage_, situation, **subject, rays, some);
-  if (!expected)
-    return expected.error();
-  finding.expected = *expected;
+  finding.expected =
+      VOXC_TRY(expect(machines_[machine], calibration, *stage_, situation, *subject, rays, some));
   for (int again = 0; again < 3 && !options_.countsAlone && finding.ratio() > kSuspect; ++again)
-    if (auto measured = measureAgain(**subject, finding.cost); !measured)
-      return measured.error();
+    VOXC_TRY(measureAgain(*subject, finding.cost));
   if (!options_.countsAlone && finding.ratio() > kSuspect) {
-    const auto moved = costMovedOff(shelf, situation, rays);
-    if (!moved)
-      return moved.error();
-    finding.movedOff = moved->nanoseconds / static_cast<double>(situation.count);
+    const auto moved = VOXC_TRY(costMovedOff(shelf, situation, rays));
+    finding.movedOff = moved.nanoseconds / static_cast<double>(situation.count);
   }
   if (situation.instances > 0)
     return std::optional(std::move(finding));
-  finding.wrong = wrongOf(*stage_, situation, rays, (*subject)->hits(), finding.compared);
-  if (auto counted = count(shelf, situation, some, **subject, finding); !counted)
-    return counted.error();
+  finding.wrong = wrongOf(*stage_, situation, rays, subject->hits(), finding.compared);
+  VOXC_TRY(count(shelf, situation, some, *subject, finding));
   return std::optional(std::move(finding));
 }
 
@@ -157,24 +133,16 @@ Expected<std::optional<Finding>> Finder::findOn(std::size_t machine, const Situa
 Expected<Cost> Finder::costMovedOff(KernelShelf &shelf, const Situation &situation,
                                     const StagedRays &rays) const {
   const StagedRays moved = movedOff(rays);
-  auto subject = Subject::of(shelf, *stage_, situation, moved);
-  if (!subject)
-    return subject.error();
-  return measure(**subject);
+  auto subject = VOXC_TRY(Subject::of(shelf, *stage_, situation, moved));
+  return measure(*subject);
 }
 
 /// Look-ups, and what was left to exact arithmetic.
 Expected<void> Finder::count(KernelShelf &shelf, const Situation &situation, const StagedRays &some,
                              Subject &subject, Finding &finding) const {
-  const auto lookups = subject.lookupsOf(some.span());
-  if (!lookups)
-    return lookups.error();
-  finding.lookups = *lookups;
+  finding.lookups = VOXC_TRY(subject.lookupsOf(some.span()));
   const Format format = askedFormat(stage_->place, situation);
-  const auto exactSteps = shelf.exactStepsOf(stage_->volume, format, some.span());
-  if (!exactSteps)
-    return exactSteps.error();
-  finding.exactSteps = *exactSteps;
+  finding.exactSteps = VOXC_TRY(shelf.exactStepsOf(stage_->volume, format, some.span()));
   return {};
 }
 

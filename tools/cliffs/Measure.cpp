@@ -4,7 +4,6 @@
 #include "Allocations.h"
 
 #include <algorithm>
-#include <cmath>
 #include <ctime>
 #include <sys/resource.h>
 
@@ -33,8 +32,7 @@ std::uint64_t faultsSoFar() {
 Expected<double> timeOf(Subject &subject, int calls) {
   const double begin = cpuNanoseconds();
   for (int call = 0; call < calls; ++call)
-    if (auto traced = subject.trace(); !traced)
-      return traced.error();
+    VOXC_TRY(subject.trace());
   return (cpuNanoseconds() - begin) / calls;
 }
 
@@ -45,35 +43,26 @@ Expected<void> measureAgain(Subject &subject, Cost &cost) {
       std::clamp(static_cast<int>(kLeastNanoseconds / std::max(cost.nanoseconds, 1.0)), 1, 10000);
   const int measurements = cost.nanoseconds > kLongNanoseconds ? 1 : kMeasurements;
   for (int i = 0; i < measurements; ++i) {
-    const auto time = timeOf(subject, calls);
-    if (!time)
-      return time.error();
-    cost.nanoseconds = std::min(cost.nanoseconds, *time);
+    const auto time = VOXC_TRY(timeOf(subject, calls));
+    cost.nanoseconds = std::min(cost.nanoseconds, time);
   }
   return {};
 }
 
 Expected<std::uint64_t> countCall(Subject &subject) {
   const std::uint64_t before = allocationsSoFar();
-  if (auto traced = subject.trace(); !traced)
-    return traced.error();
+  VOXC_TRY(subject.trace());
   return allocationsSoFar() - before;
 }
 
 Expected<Cost> measure(Subject &subject) {
-  const auto first = timeOf(subject, 1);
-  if (!first)
-    return first.error();
-  Cost cost{.firstNanoseconds = *first};
+  const auto first = VOXC_TRY(timeOf(subject, 1));
+  Cost cost{.firstNanoseconds = first};
   const std::uint64_t allocations = allocationsSoFar(), faults = faultsSoFar();
-  const auto second = timeOf(subject, 1);
-  if (!second)
-    return second.error();
-  cost.nanoseconds = *second;
+  cost.nanoseconds = VOXC_TRY(timeOf(subject, 1));
   cost.allocations = allocationsSoFar() - allocations;
   cost.faults = faultsSoFar() - faults;
-  if (auto done = measureAgain(subject, cost); !done)
-    return done.error();
+  VOXC_TRY(measureAgain(subject, cost));
   return cost;
 }
 

@@ -81,25 +81,19 @@ Expected<std::optional<Stage>> Stage::build(const Place &place) {
   auto source = openScene(place.scene, place.extent);
   if (!source)
     return source.error();
-  auto oracle = Oracle::of(**source);
-  if (!oracle)
-    return oracle.error();
+  auto oracle = VOXC_TRY(Oracle::of(**source));
   source = openScene(place.scene, place.extent);
-  auto shape = SceneDag::build(**source, {.log2Side = log2EdgeOf(place.format)});
-  if (!shape)
-    return shape.error();
-  const auto constructor = Constructor::compile(storageFormat(place.format));
-  if (!constructor)
-    return constructor.error();
+  auto shape = VOXC_TRY(SceneDag::build(**source, {.log2Side = log2EdgeOf(place.format)}));
+  const auto constructor = VOXC_TRY(Constructor::compile(storageFormat(place.format)));
   source = openScene(place.scene, place.extent);
-  auto built = constructor->build(**source, {.maxWords = kMostWords});
+  auto built = constructor.build(**source, {.maxWords = kMostWords});
   if (!built && built.error().kind == ErrorKind::Input)
     return std::optional<Stage>();
   if (!built)
     return built.error();
-  std::vector<Int3> voxels = oracle->sampleVoxels(kVoxelsAimedAt);
+  std::vector<Int3> voxels = oracle.sampleVoxels(kVoxelsAimedAt);
   return std::optional<Stage>(
-      Stage{place, std::move(*oracle), std::move(*shape), std::move(built->volume), std::move(voxels)});
+      Stage{place, std::move(oracle), std::move(shape), std::move(built->volume), std::move(voxels)});
 }
 
 StagedRays raysOf(const Stage &stage, const Situation &situation) {

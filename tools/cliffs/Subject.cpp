@@ -54,10 +54,8 @@ Expected<Machine> Machine::open(const std::string &name) {
     return Machine{name, nullptr};
   // Lavapipe takes its number of threads from here alone, once, when it is loaded.
   ::setenv("LP_NUM_THREADS", "1", 1);
-  auto device = Device::open(name);
-  if (!device)
-    return device.error();
-  return Machine{name, std::make_unique<Device>(std::move(*device))};
+  auto device = VOXC_TRY(Device::open(name));
+  return Machine{name, std::make_unique<Device>(std::move(device))};
 }
 
 Expected<CpuKernel> KernelShelf::cpuKernel(const Format &format, Addressing addressing) {
@@ -83,12 +81,10 @@ Expected<Kernel> KernelShelf::vulkanKernel(const Format &format, Addressing addr
 }
 
 Expected<double> KernelShelf::exactStepsOf(const Volume &volume, const Format &format, const RaySpan &rays) {
-  const auto kernel = cpuKernel(format, Addressing::Buffer);
-  if (!kernel)
-    return kernel.error();
+  const auto kernel = VOXC_TRY(cpuKernel(format, Addressing::Buffer));
   std::vector<Hit> hits(rays.size());
-  kernel->function(volume.words().data(), rays.origin(0), reinterpret_cast<std::uint32_t *>(hits.data()),
-                   rays.size(), 2, 0);
+  kernel.function(volume.words().data(), rays.origin(0), reinterpret_cast<std::uint32_t *>(hits.data()),
+                  rays.size(), 2, 0);
   double sum = 0;
   for (const Hit &hit : hits)
     sum += hit.steps >> 16;
@@ -98,15 +94,11 @@ Expected<double> KernelShelf::exactStepsOf(const Volume &volume, const Format &f
 Expected<std::unique_ptr<Tracer>> KernelShelf::tracer(const Volume &volume, const Format &format,
                                                       unsigned threads) {
   if (machine_.isCpu()) {
-    const auto kernel = cpuKernel(format, Addressing::Buffer);
-    if (!kernel)
-      return kernel.error();
-    return createCpuTracer(*kernel, volume, threads);
+    const auto kernel = VOXC_TRY(cpuKernel(format, Addressing::Buffer));
+    return createCpuTracer(kernel, volume, threads);
   }
-  const auto kernel = vulkanKernel(format, machine_.device->addressingFor(volume));
-  if (!kernel)
-    return kernel.error();
-  return createTracer(*machine_.device, *kernel, volume, threads);
+  const auto kernel = VOXC_TRY(vulkanKernel(format, machine_.device->addressingFor(volume)));
+  return createTracer(*machine_.device, kernel, volume, threads);
 }
 
 Expected<std::unique_ptr<Tracer>> KernelShelf::tracer(const PagedVolume &volume, const Format &format,
@@ -114,15 +106,11 @@ Expected<std::unique_ptr<Tracer>> KernelShelf::tracer(const PagedVolume &volume,
   const PagingOptions options = roomForAll(volume, threads);
   Expected<std::unique_ptr<PagedTracer>> tracer = Error::usage("no tracer");
   if (machine_.isCpu()) {
-    const auto kernel = cpuKernel(format, Addressing::Paged);
-    if (!kernel)
-      return kernel.error();
-    tracer = createPagedCpuTracer(*kernel, volume, options);
+    const auto kernel = VOXC_TRY(cpuKernel(format, Addressing::Paged));
+    tracer = createPagedCpuTracer(kernel, volume, options);
   } else {
-    const auto kernel = vulkanKernel(format, Addressing::Paged);
-    if (!kernel)
-      return kernel.error();
-    tracer = createPagedTracer(*machine_.device, *kernel, volume, options);
+    const auto kernel = VOXC_TRY(vulkanKernel(format, Addressing::Paged));
+    tracer = createPagedTracer(*machine_.device, kernel, volume, options);
   }
   if (!tracer)
     return tracer.error();
@@ -142,23 +130,18 @@ Expected<std::optional<Subject>> Subject::of(KernelShelf &shelf, const Stage &st
     const std::string path =
         (std::filesystem::temp_directory_path() / ("voxc-cliffs-" + std::to_string(::getpid()) + ".hvx"))
             .string();
-    if (auto saved = stage.volume.save(path, {.compress = true}); !saved)
-      return saved.error();
+    VOXC_TRY(stage.volume.save(path, {.compress = true}));
     auto opened = PagedVolume::open(path);
     std::filesystem::remove(path); // It is mapped.
     if (!opened)
       return opened.error();
     subject.pages_ = std::make_unique<PagedVolume>(std::move(*opened));
   }
-  auto tracer = subject.pages_ ? shelf.tracer(*subject.pages_, format, situation.threads)
-                               : shelf.tracer(stage.volume, format, situation.threads);
-  if (!tracer)
-    return tracer.error();
-  subject.tracer_ = std::move(*tracer);
+  subject.tracer_ = VOXC_TRY(subject.pages_ ? shelf.tracer(*subject.pages_, format, situation.threads)
+                                            : shelf.tracer(stage.volume, format, situation.threads));
   subject.hits_.resize(subject.rays_.size());
   if (situation.instances > 0)
-    if (auto placed = subject.placeInstances(stage, situation); !placed)
-      return placed.error();
+    VOXC_TRY(subject.placeInstances(stage, situation));
   return std::optional<Subject>(std::move(subject));
 }
 
@@ -169,10 +152,8 @@ Expected<void> Subject::placeInstances(const Stage &stage, const Situation &situ
   std::vector<Instance> instances;
   for (const glm::mat4 &placement : placements_)
     instances.push_back({tracer_.get(), extent, placement});
-  auto world = InstancedTracer::create(instances, situation.threads);
-  if (!world)
-    return world.error();
-  world_ = std::make_unique<InstancedTracer>(std::move(*world));
+  auto world = VOXC_TRY(InstancedTracer::create(instances, situation.threads));
+  world_ = std::make_unique<InstancedTracer>(std::move(world));
   instanceHits_.resize(rays_.size());
   return {};
 }
@@ -180,8 +161,7 @@ Expected<void> Subject::placeInstances(const Stage &stage, const Situation &situ
 Expected<void> Subject::trace(const TraceOptions &options) {
   if (world_)
     return world_->trace(rays_, instanceHits_, options);
-  if (auto report = tracer_->trace(rays_, hits_, options); !report)
-    return report.error();
+  VOXC_TRY(tracer_->trace(rays_, hits_, options));
   return {};
 }
 
@@ -190,8 +170,7 @@ Expected<double> Subject::lookupsOf(const RaySpan &rays) {
   TraceOptions options;
   options.countSteps = true;
   options.order = RayOrder::Given;
-  if (auto report = tracer_->trace(rays, hits, options); !report)
-    return report.error();
+  VOXC_TRY(tracer_->trace(rays, hits, options));
   double sum = 0;
   for (const Hit &hit : hits)
     sum += hit.steps;

@@ -79,17 +79,13 @@ Expected<Finder> Run::makeFinder() const {
   std::vector<Machine> machines;
   for (const std::string &name :
        options_.devices.empty() ? std::vector<std::string>{"cpu"} : options_.devices) {
-    auto machine = Machine::open(name);
-    if (!machine)
-      return machine.error();
-    machines.push_back(std::move(*machine));
+    auto machine = VOXC_TRY(Machine::open(name));
+    machines.push_back(std::move(machine));
   }
   std::optional<Peer> peer;
   if (!options_.peers.empty()) {
-    auto built = Peer::build(options_.peers);
-    if (!built)
-      return built.error();
-    peer.emplace(std::move(*built));
+    auto built = VOXC_TRY(Peer::build(options_.peers));
+    peer.emplace(std::move(built));
   }
   FinderOptions finder = options_.finder;
   finder.countsAlone = options_.printsCases || !options_.cases.empty();
@@ -121,18 +117,12 @@ Expected<void> Run::look(Finder &finder, std::uint64_t number) {
 }
 
 Expected<void> Run::compareCases(Finder &finder) {
-  const auto text = readTextFile(options_.cases);
-  if (!text)
-    return text.error();
-  const auto cases = parseCases(*text, options_.cases);
-  if (!cases)
-    return cases.error();
+  const auto text = VOXC_TRY(readTextFile(options_.cases));
+  const auto cases = VOXC_TRY(parseCases(text, options_.cases));
   std::size_t bad = 0;
-  for (const KeptCase &kept : *cases) {
-    auto found = finder.find(kept.number);
-    if (!found)
-      return found.error();
-    for (const Finding &finding : *found) {
+  for (const KeptCase &kept : cases) {
+    auto found = VOXC_TRY(finder.find(kept.number));
+    for (const Finding &finding : found) {
       const std::string problem = finding.machine == kept.machine ? worsened(kept, finding) : "";
       wrong_ += finding.wrong;
       bad += !problem.empty();
@@ -141,33 +131,30 @@ Expected<void> Run::compareCases(Finder &finder) {
                     kept.machine.c_str(), problem.c_str());
     }
   }
-  std::printf("%zu cases, %zu worse, %llu rays wrong\n", cases->size(), bad,
+  std::printf("%zu cases, %zu worse, %llu rays wrong\n", cases.size(), bad,
               static_cast<unsigned long long>(wrong_));
   return bad > 0 ? Expected<void>(Error::input("there are cases that cost more than they did"))
                  : Expected<void>();
 }
 
 Expected<void> Run::run() {
-  auto finder = makeFinder();
-  if (!finder)
-    return finder.error();
+  auto finder = VOXC_TRY(makeFinder());
   if (!options_.cases.empty()) {
-    if (auto compared = compareCases(*finder); !compared)
-      return compared;
+    VOXC_TRY(compareCases(finder));
   } else {
     if (!options_.json.empty() && !(json_ = std::fopen(options_.json.c_str(), "w")))
       return Error::environment("'" + options_.json + "' cannot be written");
     if (!options_.printsCases)
-      for (const Calibration &calibration : finder->calibrations())
+      for (const Calibration &calibration : finder.calibrations())
         std::printf("times of the model by %.2f, and %.0f ns a call\n", calibration.scale,
                     calibration.perCall);
     if (options_.printsAll)
       printHead();
     Expected<void> looked;
     if (options_.situation)
-      looked = look(*finder, *options_.situation);
+      looked = look(finder, *options_.situation);
     for (std::uint64_t i = 0; !options_.situation && looked && !isOver(i); ++i)
-      looked = look(*finder, options_.first + i);
+      looked = look(finder, options_.first + i);
     if (json_)
       std::fclose(json_);
     if (!options_.printsCases)

@@ -83,10 +83,8 @@ Expected<FileCamera> parseCamera(const Json &file, const std::string &name, cons
 
 /// The file's object, which has an object "cameras".
 Expected<Json> readCameraFile(const std::string &path) {
-  auto text = readTextFile(path);
-  if (!text)
-    return text.error();
-  Json file = Json::parse(*text, nullptr, false);
+  auto text = VOXC_TRY(readTextFile(path));
+  Json file = Json::parse(text, nullptr, false);
   if (!file.is_object() || !file.contains("cameras") || !file["cameras"].is_object())
     return Error::input(path + " is no camera file: it should be a JSON object with an object \"cameras\"");
   return file;
@@ -95,37 +93,29 @@ Expected<Json> readCameraFile(const std::string &path) {
 } // namespace
 
 Expected<std::vector<FileCamera>> readCameras(const std::string &path) {
-  const auto file = readCameraFile(path);
-  if (!file)
-    return file.error();
+  const auto file = VOXC_TRY(readCameraFile(path));
   std::vector<FileCamera> cameras;
-  for (const auto &[name, entry] : (*file)["cameras"].items()) {
-    auto camera = parseCamera(*file, name, path);
-    if (!camera)
-      return camera.error();
-    cameras.push_back(*camera);
+  for (const auto &[name, entry] : file["cameras"].items()) {
+    auto camera = VOXC_TRY(parseCamera(file, name, path));
+    cameras.push_back(camera);
   }
   return cameras;
 }
 
 Expected<std::vector<std::string>> cameraNames(const std::string &path) {
-  const auto file = readCameraFile(path);
-  if (!file)
-    return file.error();
+  const auto file = VOXC_TRY(readCameraFile(path));
   std::vector<std::string> names;
-  for (const auto &[name, camera] : (*file)["cameras"].items())
+  for (const auto &[name, camera] : file["cameras"].items())
     names.push_back(name);
   return names;
 }
 
 Expected<FileCamera> readCamera(const std::string &path, const std::string &name) {
-  const auto file = readCameraFile(path);
-  if (!file)
-    return file.error();
-  const Json &cameras = (*file)["cameras"];
+  const auto file = VOXC_TRY(readCameraFile(path));
+  const Json &cameras = file["cameras"];
   if (!cameras.contains(name))
     return noSuchCamera(path, name, cameras);
-  return parseCamera(*file, name, path);
+  return parseCamera(file, name, path);
 }
 
 } // namespace voxc::tool

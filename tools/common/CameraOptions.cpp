@@ -79,10 +79,8 @@ Expected<std::optional<std::array<int, 2>>> checkedSize(const CameraOptions &opt
     return Error::usage("--fov should lie between 0 and 180 degrees");
   if (options.size.empty())
     return std::optional<std::array<int, 2>>();
-  const auto size = parseSize(options.size);
-  if (!size)
-    return size.error();
-  return std::optional(*size);
+  const auto size = VOXC_TRY(parseSize(options.size));
+  return std::optional(size);
 }
 
 Expected<Camera> cameraOfFile(const CameraOptions &options, Int3 extent, const Transform &voxelToModel) {
@@ -91,10 +89,8 @@ Expected<Camera> cameraOfFile(const CameraOptions &options, Int3 extent, const T
   std::size_t colon = text.rfind(':');
   if (colon == std::string::npos)
     return Error::usage("--camera \"" + text + "\" is not understood: it should be " + kCameraForms);
-  auto camera = readCamera(text.substr(0, colon), text.substr(colon + 1));
-  if (!camera)
-    return camera.error();
-  return makeCamera(options, *camera, extent, voxelToModel);
+  auto camera = VOXC_TRY(readCamera(text.substr(0, colon), text.substr(colon + 1)));
+  return makeCamera(options, camera, extent, voxelToModel);
 }
 
 /// The field of view and the projection that the options say.
@@ -146,8 +142,8 @@ void addCameraPlace(const CommandLine &command, CameraOptions &options) {
   const OptionGroup group(command, "Picture");
   command
       .add("--camera", options.camera,
-           "Eye, a point looked at and the way up (default 0,1,0), in voxels, or after 'model:' in the "
-           "units of the model; or a camera of a camera file; the default sees the whole volume")
+           "Eye, a point looked at and the way up (default 0,1,0), in voxels, or after 'model:' in the units "
+           "of the model; or a camera of a camera file; the default sees the whole volume")
       .takes("[model:]EX,EY,EZ:LX,LY,LZ[:UX,UY,UZ]|FILE:NAME");
   const Option fov = command.add("--fov", options.fov, "Vertical field of view; the default is the camera's")
                          .takes("DEGREES");
@@ -171,18 +167,14 @@ void addCameraOptions(const CommandLine &command, CameraOptions &options) {
 }
 
 Expected<Camera> makeCamera(const CameraOptions &options, Int3 extent, const Transform &voxelToModel) {
-  const auto given = checkedSize(options);
-  if (!given)
-    return given.error();
-  return placeCamera(options, extent, voxelToModel, given->value_or(kDefaultSize));
+  const auto given = VOXC_TRY(checkedSize(options));
+  return placeCamera(options, extent, voxelToModel, given.value_or(kDefaultSize));
 }
 
 Expected<Camera> makeCamera(const CameraOptions &options, const FileCamera &camera, Int3 extent,
                             const Transform &voxelToModel) {
-  const auto given = checkedSize(options);
-  if (!given)
-    return given.error();
-  const std::array<int, 2> size = given->value_or(camera.size.value_or(kDefaultSize));
+  const auto given = VOXC_TRY(checkedSize(options));
+  const std::array<int, 2> size = given.value_or(camera.size.value_or(kDefaultSize));
   const glm::dvec3 spacing = spacingOf(options, voxelToModel);
   Camera made = cameraFromAngles(extent, camera.position, camera.pitch, camera.yaw,
                                  options.fov != 0 ? options.fov : camera.fov, size[0], size[1], spacing);

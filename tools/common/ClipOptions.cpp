@@ -94,11 +94,9 @@ void addClipOptions(const CommandLine &command, ClipOptions &options) {
 Expected<Clip> clipOf(const ClipOptions &options, const Transform &voxelToModel) {
   Clip clip;
   if (!options.box.empty())
-    if (Expected<void> added = addBox(options.box, voxelToModel, clip); !added)
-      return added.error();
+    VOXC_TRY(addBox(options.box, voxelToModel, clip));
   for (const std::string &plane : options.planes)
-    if (Expected<void> added = addPlane(plane, voxelToModel, clip); !added)
-      return added.error();
+    VOXC_TRY(addPlane(plane, voxelToModel, clip));
   return clip;
 }
 

@@ -61,27 +61,21 @@ Expected<RayFile> readRayFile(const std::string &path) {
     std::string text(std::istreambuf_iterator<char>(std::cin), {});
     return parseRayFile(std::as_bytes(std::span(text)), "standard input");
   }
-  auto file = MappedFile::open(path);
-  if (!file)
-    return file.error();
-  return parseRayFile(file->bytes(), path);
+  auto file = VOXC_TRY(MappedFile::open(path));
+  return parseRayFile(file.bytes(), path);
 }
 
 Expected<std::vector<Ray>> readRays(const std::string &path) {
-  Expected<RayFile> file = readRayFile(path);
-  if (!file)
-    return file.error();
-  if (file->rays().isBounded())
+  auto file = VOXC_TRY(readRayFile(path));
+  if (file.rays().isBounded())
     return Error::input(path +
                         " has rays with bounds, of version 2; here rays without are wanted, of version 1");
-  return std::move(*file).takeRays();
+  return std::move(file).takeRays();
 }
 
 Expected<std::vector<Hit>> readHits(const std::string &path) {
-  auto file = MappedFile::open(path);
-  if (!file)
-    return file.error();
-  const std::span<const std::byte> bytes = file->bytes();
+  auto file = VOXC_TRY(MappedFile::open(path));
+  const std::span<const std::byte> bytes = file.bytes();
   if (bytes.size() % sizeof(Hit) != 0)
     return Error::input(path + " has " + std::to_string(bytes.size()) +
                         " bytes, but hits are 6 words each: it should have a multiple of 24");

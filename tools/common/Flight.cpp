@@ -43,19 +43,16 @@ double between(double p, double a, double b, double q, double part) {
 } // namespace
 
 Expected<Flight> Flight::through(const std::string &path) {
-  auto stops = readCameras(path);
-  if (!stops)
-    return stops.error();
-  if (stops->size() < 2)
+  auto stops = VOXC_TRY(readCameras(path));
+  if (stops.size() < 2)
     return Error::input(path + " should have two cameras or more for a flight through them; it has " +
-                        std::to_string(stops->size()));
-  const bool isParallel = stops->front().height != 0;
-  if (std::ranges::any_of(*stops, [&](const FileCamera &stop) { return (stop.height != 0) != isParallel; }))
-    return Error::input(path +
-                        " should have cameras that all have a height, and so are orthographic, or none, "
-                        "for a flight through them");
+                        std::to_string(stops.size()));
+  const bool isParallel = stops.front().height != 0;
+  if (std::ranges::any_of(stops, [&](const FileCamera &stop) { return (stop.height != 0) != isParallel; }))
+    return Error::input(path + " should have cameras that all have a height, and so are orthographic, or "
+                               "none, for a flight through them");
   Flight flight;
-  flight.stops_ = std::move(*stops);
+  flight.stops_ = std::move(stops);
   return flight;
 }
 

@@ -40,17 +40,16 @@ std::string pointText(const glm::dvec3 &point) {
 void addViewOptions(const CommandLine &command, PictureOptions &options) {
   command
       .add("--sun", options.sun,
-           "Where the sun of style lit stands, in degrees: azimuth, from +z (0) to +x (90), and "
-           "elevation; default: -40,49")
+           "Where the sun of style lit stands, in degrees: azimuth, from +z (0) to +x (90), and elevation; "
+           "default: -40,49")
       .takes("AZ,EL")
       .list()
       .values(2);
   command
-      .add(
-          "--view", options.view,
-          "A camera by a word: iso, from above a corner; front, back, left, right, top, bottom; inside, from "
-          "where most of the inside is seen; auto (default): inside of what is surely a room or a yard, else "
-          "iso")
+      .add("--view", options.view,
+           "A camera by a word: iso, from above a corner; front, back, left, right, top, bottom; inside, "
+           "from where most of the inside is seen; auto (default): inside of what is surely a room or a "
+           "yard, else iso")
       .takes("WORD")
       .oneOf(namesOf<View>());
 }
@@ -61,14 +60,14 @@ void addPictureOptions(const CommandLine &command, PictureOptions &options) {
   command.addFormer("--heatmap", "--style heatmap");
   command
       .add("--samples", options.samples,
-           "Rays through each pixel; the default is 4 for lit and ao, which suits a look, and 1 for "
-           "others; 64 leaves no noise")
+           "Rays through each pixel; the default is 4 for lit and ao, which suits a look, and 1 for others; "
+           "64 leaves no noise")
       .takes("N")
       .between(1u, 65536u);
   command
       .add("--normals", options.normals,
-           "Directions of surfaces: smooth, from the voxels around, flat, those of faces, or auto "
-           "(default): flat for .vox files and built-in scenes")
+           "Directions of surfaces: smooth, from the voxels around, flat, those of faces, or auto (default): "
+           "flat for .vox files and built-in scenes")
       .takes("KIND")
       .oneOf({"auto", "smooth", "flat"});
   addViewOptions(command, options);
@@ -87,9 +86,8 @@ Expected<void> checkPictureOptions(const PictureOptions &options) {
     return Error::usage("--normals is for the styles lit, ao and normals; the style " +
                         std::string(toString(kind.style)) + " has no use for them");
   if (isOrthographic(options.camera) && (options.lod > 0 || options.coarse > 0))
-    return Error::usage(
-        "--lod and --allow-coarse go by what looks small from afar, and by parallel rays nothing "
-        "does; leave out --orthographic and --view-height");
+    return Error::usage("--lod and --allow-coarse go by what looks small from afar, and by parallel rays "
+                        "nothing does; leave out --orthographic and --view-height");
   Expected<Camera> camera = makeCamera(options.camera, {1, 1, 1});
   return camera ? Expected<void>() : camera.error();
 }
@@ -106,19 +104,15 @@ glm::dvec3 sunOf(const PictureOptions &options) {
 Style styleOf(const PictureOptions &options) { return fromString<Style>(options.style).value_or(Style::Lit); }
 
 Expected<PlacedCamera> placeCamera(const PictureOptions &options, const Volume &volume, TraceRays trace) {
-  Expected<Camera> camera = makeCamera(options.camera, volume.info().extent, volume.info().voxelToModel);
-  if (!camera)
-    return camera.error();
+  auto camera = VOXC_TRY(makeCamera(options.camera, volume.info().extent, volume.info().voxelToModel));
   if (!options.camera.camera.empty())
-    return PlacedCamera{*camera, "", false};
+    return PlacedCamera{camera, "", false};
   const View view = fromString<View>(options.view).value_or(View::Auto);
-  camera->verticalFov = options.camera.fov;
-  Expected<FoundView> found = findView(view, volume, trace, *camera);
-  if (!found)
-    return found.error();
+  camera.verticalFov = options.camera.fov;
+  auto found = VOXC_TRY(findView(view, volume, trace, camera));
   if (options.camera.viewHeight != 0)
-    found->camera.orthographicHeight = options.camera.viewHeight;
-  return PlacedCamera{found->camera, std::string(toString(found->view)), view == View::Auto};
+    found.camera.orthographicHeight = options.camera.viewHeight;
+  return PlacedCamera{found.camera, std::string(toString(found.view)), view == View::Auto};
 }
 
 RenderOptions renderOptions(const PictureOptions &options, const Volume &volume) {
@@ -135,16 +129,12 @@ RenderOptions renderOptions(const PictureOptions &options, const Volume &volume)
 Expected<TakenPicture> takePicture(const PictureOptions &options, const Volume &volume,
                                    const RenderTracers &tracers, TraceRays probe, unsigned threads,
                                    const Progress &progress) {
-  const Expected<PlacedCamera> placed = placeCamera(options, volume, probe);
-  if (!placed)
-    return placed.error();
+  const auto placed = VOXC_TRY(placeCamera(options, volume, probe));
   RenderOptions render = renderOptions(options, volume);
   render.threads = threads;
   render.progress = progress;
-  Expected<Rendering> rendering = voxc::render(volume, placed->camera, tracers, render);
-  if (!rendering)
-    return rendering.error();
-  return TakenPicture{std::move(*rendering), *placed};
+  auto rendering = VOXC_TRY(voxc::render(volume, placed.camera, tracers, render));
+  return TakenPicture{std::move(rendering), placed};
 }
 
 bool looksAround(const PictureOptions &options, const VolumeInfo &info) {
@@ -194,10 +184,10 @@ std::optional<std::string> cameraWarning(const TakenPicture &taken, const Volume
   constexpr double kNear = 3;
   if (rendering.middle < kNear) {
     char text[160];
-    std::snprintf(text, sizeof text,
-                  "the camera stands right before a wall: half of what it sees is no further off than %.2g "
-                  "voxels",
-                  rendering.middle);
+    std::snprintf(
+        text, sizeof text,
+        "the camera stands right before a wall: half of what it sees is no further off than %.2g voxels",
+        rendering.middle);
     return text;
   }
   return std::nullopt;

@@ -99,8 +99,7 @@ Expected<void> setMostLevels() {
 
 Expected<void> prepareProcess() {
   turnSignalsIntoErrors();
-  if (Expected<void> set = setMostLevels(); !set)
-    return set;
+  VOXC_TRY(setMostLevels());
   growHeapOnHugePages();
   return enlargeStack();
 }

@@ -39,36 +39,28 @@ struct Side {
 Expected<void> compareTraces(EditableVolume &edited, const std::string &path, const std::string &device) {
   const auto mapped = MappedFile::open(path);
   const auto file =
-      mapped ? tool::parseRayFile(mapped->bytes(), path) : Expected<tool::RayFile>(mapped.error());
-  if (!file)
-    return file.error();
-  const auto built = edited.compact();
-  if (!built)
-    return built.error();
+      VOXC_TRY(mapped ? tool::parseRayFile(mapped->bytes(), path) : Expected<tool::RayFile>(mapped.error()));
+  const auto built = VOXC_TRY(edited.compact());
   const auto volume = edited.volume();
   Side sides[2];
   for (Side &side : sides) {
-    const Volume &traced = &side == sides ? *volume : built->volume;
-    auto tracer = openTracer(traced, {.device = device,
-                                      .threads = 1,
-                                      .cache = compileCache(),
-                                      .optimise = true,
-                                      .start = CpuStart::Whole});
-    if (!tracer)
-      return tracer.error();
-    side.tracer = std::move(*tracer);
+    const Volume &traced = &side == sides ? *volume : built.volume;
+    side.tracer = VOXC_TRY(openTracer(traced, {.device = device,
+                                               .threads = 1,
+                                               .cache = compileCache(),
+                                               .optimise = true,
+                                               .start = CpuStart::Whole}));
   }
   for (int round = 0; round < kRounds; ++round)
     for (Side &side : sides)
-      if (auto traced = side.round(file->rays()); !traced)
-        return traced;
+      VOXC_TRY(side.round(file.rays()));
   std::size_t different = 0;
   for (std::size_t i = 0; i < sides[0].hits.size(); ++i)
     different += std::memcmp(&sides[0].hits[i], &sides[1].hits[i], sizeof(Hit)) != 0 ? 1 : 0;
   std::printf("traced on %s: edited %.3f s of CPU, built %.3f, %.3f times; words %.3f times; %zu of %zu hits "
               "differ\n",
               device.c_str(), sides[0].median(), sides[1].median(), sides[0].median() / sides[1].median(),
-              double(edited.words()) / double(built->volume.words().size()), different, sides[0].hits.size());
+              double(edited.words()) / double(built.volume.words().size()), different, sides[0].hits.size());
   return different == 0 ? Expected<void>()
                         : Error::input("hits through an edited volume are not those of a build");
 }

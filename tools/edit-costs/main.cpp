@@ -60,8 +60,7 @@ public:
                 vdb ? "OpenVDB us" : "");
     for (const EditKind &kind : editKinds())
       if (kind.shape != Edit::Paste || pasted_)
-        if (auto measured = row(kind, vdb, pastedVoxels); !measured)
-          return measured;
+        VOXC_TRY(row(kind, vdb, pastedVoxels));
     std::printf("%llu words, of which the first volume had %llu\n", (unsigned long long)edited_.words(),
                 (unsigned long long)firstWords_);
     return {};
@@ -108,26 +107,19 @@ Expected<void> traceAfterEdits(EditableVolume &edited, const Options &options) {
 }
 
 Expected<void> measure(const Options &options) {
-  auto volume = Volume::load(options.volume, {.trusted = true});
-  if (!volume)
-    return volume.error();
+  auto volume = VOXC_TRY(Volume::load(options.volume, {.trusted = true}));
   std::shared_ptr<const Volume> pasted;
   if (!options.pasted.empty()) {
-    auto loaded = Volume::load(options.pasted);
-    if (!loaded)
-      return loaded.error();
-    pasted = std::make_shared<const Volume>(std::move(*loaded));
+    auto loaded = VOXC_TRY(Volume::load(options.pasted));
+    pasted = std::make_shared<const Volume>(std::move(loaded));
   }
   const Stopwatch watch;
-  auto edited = EditableVolume::create(*volume, {.cache = compileCache()});
-  if (!edited)
-    return edited.error();
-  std::printf("made editable in %.3f s, of which %.3f compiling\n", watch.seconds(),
-              edited->compileSeconds());
-  const auto vdb = options.comparesVdb ? VdbEdits::create(*volume) : nullptr;
+  auto edited = VOXC_TRY(EditableVolume::create(volume, {.cache = compileCache()}));
+  std::printf("made editable in %.3f s, of which %.3f compiling\n", watch.seconds(), edited.compileSeconds());
+  const auto vdb = options.comparesVdb ? VdbEdits::create(volume) : nullptr;
   if (!options.rays.empty())
-    return traceAfterEdits(*edited, options);
-  return Measuring(*volume, pasted, std::move(*edited)).run(vdb.get());
+    return traceAfterEdits(edited, options);
+  return Measuring(volume, pasted, std::move(edited)).run(vdb.get());
 }
 
 } // namespace

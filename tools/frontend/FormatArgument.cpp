@@ -18,8 +18,7 @@ Expected<Format> parseFormatOf(std::string_view text, const std::string &name) {
   if (isPlanText(text))
     return Error::input(
         "'" + name +
-        "' is the plan of a kernel, from which voxc compile and voxc-opt go on; here a format is "
-        "wanted");
+        "' is the plan of a kernel, from which voxc compile and voxc-opt go on; here a format is wanted");
   if (text.starts_with(kBuildPlanWords))
     return Error::input("'" + name +
                         "' is a build plan, which voxc submit carries out; here a format is wanted");
@@ -47,10 +46,8 @@ Expected<Format> readFormatFile(const std::string &path) {
     const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
     return parseFormatOf(text, "<stdin>");
   }
-  Expected<std::string> text = readTextFile(path);
-  if (!text)
-    return text.error();
-  return parseFormatOf(*text, path);
+  auto text = VOXC_TRY(readTextFile(path));
+  return parseFormatOf(text, path);
 }
 
 bool looksLikeFile(const std::string &argument) {

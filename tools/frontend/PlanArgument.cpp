@@ -37,10 +37,8 @@ Expected<std::variant<Format, Plan>> readFormatOrPlan(const std::string &argumen
     return either(parseFinishedPlan(argument, "plan"));
   if (!looksLikeFile(argument) || !holdsPlan(argument))
     return either(readFormat(argument));
-  Expected<std::string> text = readTextFile(argument);
-  if (!text)
-    return text.error();
-  return either(parseFinishedPlan(*text, argument));
+  auto text = VOXC_TRY(readTextFile(argument));
+  return either(parseFinishedPlan(text, argument));
 }
 
 } // namespace voxc::tool

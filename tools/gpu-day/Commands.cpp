@@ -39,25 +39,19 @@ Expected<std::vector<std::string>> namesOfCameras(const Options &options) {
 } // namespace
 
 Expected<void> makeRays(const Options &options) {
-  const auto volume = Volume::load(options.volume, {.trusted = true});
-  if (!volume)
-    return volume.error();
-  const auto names = namesOfCameras(options);
-  if (!names)
-    return names.error();
+  const auto volume = VOXC_TRY(Volume::load(options.volume, {.trusted = true}));
+  const auto names = VOXC_TRY(namesOfCameras(options));
   int width = 0, height = 0;
   if (std::sscanf(options.size.c_str(), "%dx%d", &width, &height) != 2 || width < 1 || height < 1 ||
       width > tool::kMaxPictureSide || height > tool::kMaxPictureSide)
     return Error::usage("--size is '" + options.size + "'; it should be WxH, pixels of a picture");
   std::vector<NamedCamera> cameras;
-  for (const std::string &name : *names) {
-    const auto of = tool::readCamera(options.cameras, name);
-    if (!of)
-      return of.error();
-    cameras.push_back({name, cameraFromAngles(volume->info().extent, of->position, of->pitch, of->yaw,
-                                              of->fov, width, height)});
+  for (const std::string &name : names) {
+    const auto of = VOXC_TRY(tool::readCamera(options.cameras, name));
+    cameras.push_back(
+        {name, cameraFromAngles(volume.info().extent, of.position, of.pitch, of.yaw, of.fov, width, height)});
   }
-  return makeRaySets(*volume, cameras, options.output);
+  return makeRaySets(volume, cameras, options.output);
 }
 
 Expected<void> makeDistances(const Options &options) {
@@ -94,10 +88,8 @@ Expected<Brought> bringSets(const Gpu &gpu, const Options &options) {
   for (const std::string &name : setsOf(options)) {
     const std::string path = (fs::path(options.folder) / name).string();
     for (const char *const ending : {".rays", ".hits"}) {
-      auto file = MappedBytes::open(path + ending);
-      if (!file)
-        return file.error();
-      brought.files.push_back(std::move(*file));
+      auto file = VOXC_TRY(MappedBytes::open(path + ending));
+      brought.files.push_back(std::move(file));
     }
     const std::size_t last = brought.files.size() - 1;
     const auto rays = brought.files[last - 1].as<Ray>();
@@ -106,10 +98,8 @@ Expected<Brought> bringSets(const Gpu &gpu, const Options &options) {
       return Error::input("'" + path + ".hits' has not as many records as its rays");
     if (rays.empty())
       continue; // Of a camera that sees nothing no ray goes on.
-    auto set = bringRays(gpu, name, rays, hits, kPeerColumns);
-    if (!set)
-      return set.error();
-    brought.sets.push_back(std::move(*set));
+    auto set = VOXC_TRY(bringRays(gpu, name, rays, hits, kPeerColumns));
+    brought.sets.push_back(std::move(set));
   }
   if (brought.sets.empty())
     return Error::input("folder '" + options.folder + "' has no rays");
@@ -129,112 +119,80 @@ std::string kindOf(const std::string &path) { return fs::path(path).stem().exten
 
 Expected<Json> measureVolume(const Gpu &gpu, const Options &options, std::span<const RaysThere> sets,
                              Json &figures) {
-  const auto volume = Volume::load(options.volume, {.trusted = true});
-  if (!volume)
-    return volume.error();
-  figures["format"] = toString(volume->format());
-  figures["extent"] = {volume->info().extent.x, volume->info().extent.y, volume->info().extent.z};
-  figures["voxels"] = volume->info().voxels;
-  figures["words"] = volume->words().size();
-  figures["bytes"] = volume->words().size_bytes();
+  const auto volume = VOXC_TRY(Volume::load(options.volume, {.trusted = true}));
+  figures["format"] = toString(volume.format());
+  figures["extent"] = {volume.info().extent.x, volume.info().extent.y, volume.info().extent.z};
+  figures["voxels"] = volume.info().voxels;
+  figures["words"] = volume.words().size();
+  figures["bytes"] = volume.words().size_bytes();
   const MeasureOptions how{options.seconds, options.groups, options.atOnce};
-  const auto subject = KernelSubject::make(gpu, *volume, how);
-  if (!subject)
-    return subject.error();
+  const auto subject = VOXC_TRY(KernelSubject::make(gpu, volume, how));
   // One that a device does not take is told of; the others are measured.
   Json kernels = Json::object();
   const auto keep = [&](const std::string &path, Expected<Json> rows) {
     kernels[kindOf(path)] = rows ? std::move(*rows) : Json{{"failed", rows.error().message}};
   };
   for (const std::string &path : options.kernels) {
-    const auto kernel = Kernel::load(path);
-    if (!kernel)
-      return kernel.error();
-    keep(path, subject->measure(*kernel, sets));
+    const auto kernel = VOXC_TRY(Kernel::load(path));
+    keep(path, subject.measure(kernel, sets));
     if (!options.follows)
       continue;
-    auto following = measureFollowing(options.device, *kernel, *volume);
+    auto following = measureFollowing(options.device, kernel, volume);
     kernels[kindOf(path)]["follow_us"] =
         following ? std::move(*following) : Json{{"failed", following.error().message}};
   }
   for (const std::string &path : options.cudas) {
-    const auto code = readTextFile(path);
-    if (!code)
-      return code.error();
-    keep(path, measureCuda(*code, volume->words(), sets, options.seconds));
+    const auto code = VOXC_TRY(readTextFile(path));
+    keep(path, measureCuda(code, volume.words(), sets, options.seconds));
   }
   return kernels;
 }
 
 Expected<Json> measureByHand(const Gpu &gpu, const Options &options, std::span<const RaysThere> sets,
                              Json &figures) {
-  const auto nodes = MappedBytes::open(options.nodes);
-  if (!nodes)
-    return nodes.error();
-  const auto words = nodes->as<std::uint32_t>();
+  const auto nodes = VOXC_TRY(MappedBytes::open(options.nodes));
+  const auto words = nodes.as<std::uint32_t>();
   if (!options.cudas.empty()) {
     figures["bytes"] = words.size_bytes();
-    const auto code = readTextFile(options.cudas.front());
-    if (!code)
-      return code.error();
-    auto rows = measureCuda(*code, words, sets, options.seconds);
+    const auto code = VOXC_TRY(readTextFile(options.cudas.front()));
+    auto rows = measureCuda(code, words, sets, options.seconds);
     return rows ? Expected<Json>(Json{{"cuda", std::move(*rows)}}) : rows.error();
   }
-  const auto spirv = MappedBytes::open(options.peer);
-  if (!spirv)
-    return spirv.error();
-  auto rows = measurePeer(gpu, spirv->as<std::uint32_t>(), words, sets, options.seconds);
+  const auto spirv = VOXC_TRY(MappedBytes::open(options.peer));
+  auto rows = measurePeer(gpu, spirv.as<std::uint32_t>(), words, sets, options.seconds);
   return rows ? Expected<Json>(Json{{"by hand", std::move(*rows)}}) : rows.error();
 }
 
 } // namespace
 
 Expected<void> measure(const Options &options) {
-  const auto gpu = Gpu::open(options.device);
-  if (!gpu)
-    return gpu.error();
-  const auto brought = bringSets(*gpu, options);
-  if (!brought)
-    return brought.error();
-  Json figures{{"scene", options.scene}, {"label", options.label}, {"device", deviceJson(gpu->facts())}};
-  auto kernels = options.nodes.empty() ? measureVolume(*gpu, options, brought->sets, figures)
-                                       : measureByHand(*gpu, options, brought->sets, figures);
-  if (!kernels)
-    return kernels.error();
-  figures["kernels"] = std::move(*kernels);
+  const auto gpu = VOXC_TRY(Gpu::open(options.device));
+  const auto brought = VOXC_TRY(bringSets(gpu, options));
+  Json figures{{"scene", options.scene}, {"label", options.label}, {"device", deviceJson(gpu.facts())}};
+  auto kernels = VOXC_TRY(options.nodes.empty() ? measureVolume(gpu, options, brought.sets, figures)
+                                                : measureByHand(gpu, options, brought.sets, figures));
+  figures["kernels"] = std::move(kernels);
   return tool::writeText(options.output, figures.dump(1) + "\n");
 }
 
 Expected<void> checkHardRays(const Options &options) {
-  const auto gpu = Gpu::open(options.device);
-  if (!gpu)
-    return gpu.error();
-  const auto volume = Volume::load(options.volume, {.trusted = true});
-  if (!volume)
-    return volume.error();
-  const auto lattice = MappedBytes::open((fs::path(options.programs) / "lattice.spv").string());
-  if (!lattice)
-    return lattice.error();
-  const auto compare = MappedBytes::open((fs::path(options.programs) / "compare.spv").string());
-  if (!compare)
-    return compare.error();
-  Json figures{{"scene", options.scene}, {"label", options.label}, {"device", deviceJson(gpu->facts())}};
-  figures["format"] = toString(volume->format());
+  const auto gpu = VOXC_TRY(Gpu::open(options.device));
+  const auto volume = VOXC_TRY(Volume::load(options.volume, {.trusted = true}));
+  const auto lattice = VOXC_TRY(MappedBytes::open((fs::path(options.programs) / "lattice.spv").string()));
+  const auto compare = VOXC_TRY(MappedBytes::open((fs::path(options.programs) / "compare.spv").string()));
+  Json figures{{"scene", options.scene}, {"label", options.label}, {"device", deviceJson(gpu.facts())}};
+  figures["format"] = toString(volume.format());
   std::uint64_t wrong = 0;
   for (const std::string &path : options.kernels) {
-    const auto kernel = Kernel::load(path);
-    if (!kernel)
-      return kernel.error();
-    auto checked =
-        checkLattice(*gpu, *volume, *kernel, {lattice->as<std::uint32_t>(), compare->as<std::uint32_t>()},
-                     options.lattice);
+    const auto kernel = VOXC_TRY(Kernel::load(path));
+    auto checked = checkLattice(gpu, volume, kernel,
+                                {lattice.as<std::uint32_t>(), compare.as<std::uint32_t>()}, options.lattice);
     if (checked)
       wrong += (*checked)["wrong"].get<std::uint64_t>();
     figures["lattice"][kindOf(path)] =
         checked ? std::move(*checked) : Json{{"failed", checked.error().message}};
   }
-  if (auto written = tool::writeText(options.output, figures.dump(1) + "\n"); !written)
-    return written;
+  VOXC_TRY(tool::writeText(options.output, figures.dump(1) + "\n"));
   if (wrong > 0)
     return Error::input(std::to_string(wrong) + " hits are not the exact ones");
   return {};

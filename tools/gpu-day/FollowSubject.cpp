@@ -17,14 +17,10 @@ constexpr std::uint64_t kHeadWords = 4;
 } // namespace
 
 Expected<tool::Json> measureFollowing(const std::string &device, const Kernel &kernel, const Volume &volume) {
-  auto opened = Device::open(device);
-  if (!opened)
-    return opened.error();
-  if (opened->info().loops != kernel.loops)
+  auto opened = VOXC_TRY(Device::open(device));
+  if (opened.info().loops != kernel.loops)
     return tool::Json();
-  const auto tracer = createTracer(*opened, kernel, volume);
-  if (!tracer)
-    return tracer.error();
+  const auto tracer = VOXC_TRY(createTracer(opened, kernel, volume));
   tool::Json figures = tool::Json::object();
   for (const std::uint64_t words : {64u, 4096u, 262144u}) {
     const std::uint64_t all = volume.words().size();
@@ -34,8 +30,7 @@ Expected<tool::Json> measureFollowing(const std::string &device, const Kernel &k
     std::vector<double> microseconds;
     for (std::size_t call = 0; call < kCalls; ++call) {
       const Stopwatch watch;
-      if (const auto followed = (*tracer)->follow(volume, changed); !followed)
-        return followed.error();
+      VOXC_TRY(tracer->follow(volume, changed));
       microseconds.push_back(1e6 * watch.seconds());
     }
     std::ranges::nth_element(microseconds, microseconds.begin() + kCalls / 2);

@@ -130,37 +130,25 @@ Expected<void> makeCommands(Gpu::State &state) {
   constexpr const char *kVerb = "make its commands";
   VkCommandPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
   poolInfo.queueFamilyIndex = state.family;
-  auto pool = make<OwnedCommandPool>(state.device, vkCreateCommandPool, poolInfo, kVerb);
-  if (!pool)
-    return pool.error();
-  state.pool = std::move(*pool);
+  state.pool = VOXC_TRY(make<OwnedCommandPool>(state.device, vkCreateCommandPool, poolInfo, kVerb));
   VkCommandBufferAllocateInfo commands{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
   commands.commandPool = state.pool.get();
   commands.commandBufferCount = 1;
   if (const VkResult result = vkAllocateCommandBuffers(state.device, &commands, &state.commands);
       result != VK_SUCCESS)
     return gpuError(kVerb, result);
-  auto fence = make<OwnedFence>(state.device, vkCreateFence,
-                                VkFenceCreateInfo{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO}, kVerb);
-  if (!fence)
-    return fence.error();
-  state.fence = std::move(*fence);
+  state.fence = VOXC_TRY(make<OwnedFence>(state.device, vkCreateFence,
+                                          VkFenceCreateInfo{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO}, kVerb));
   VkQueryPoolCreateInfo queriesInfo{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
   queriesInfo.queryType = VK_QUERY_TYPE_TIMESTAMP;
   queriesInfo.queryCount = kMostSteps + 1;
-  auto queries = make<OwnedQueries>(state.device, vkCreateQueryPool, queriesInfo, kVerb);
-  if (!queries)
-    return queries.error();
-  state.queries = std::move(*queries);
+  state.queries = VOXC_TRY(make<OwnedQueries>(state.device, vkCreateQueryPool, queriesInfo, kVerb));
   return {};
 }
 
 Expected<void> makeStaging(Gpu::State &state) {
-  auto staging = makeBuffer(state, kStagingBytes,
-                            VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
-  if (!staging)
-    return staging.error();
-  state.staging = std::move(*staging);
+  state.staging = VOXC_TRY(makeBuffer(
+      state, kStagingBytes, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT));
   void *mapped = nullptr;
   if (const VkResult result =
           vkMapMemory(state.device, state.staging.memory.get(), 0, VK_WHOLE_SIZE, 0, &mapped);
@@ -195,13 +183,10 @@ Error gpuError(const char *verb, VkResult result) {
 
 Expected<Gpu> Gpu::open(std::string_view name) {
   auto state = std::make_unique<State>();
-  if (auto made = makeInstance(*state); !made)
-    return made.error();
-  if (auto chosen = choose(*state, name); !chosen)
-    return chosen.error();
+  VOXC_TRY(makeInstance(*state));
+  VOXC_TRY(choose(*state, name));
   for (Expected<void> (*const make)(State &) : {makeDevice, makeCommands, makeStaging})
-    if (auto made = make(*state); !made)
-      return made.error();
+    VOXC_TRY(make(*state));
   return Gpu(std::move(state));
 }
 

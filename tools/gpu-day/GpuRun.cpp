@@ -55,8 +55,7 @@ Expected<void> submitAndWait(const Gpu::State &state) {
 }
 
 Expected<void> copy(const Gpu::State &state, VkBuffer from, VkBuffer to, VkBufferCopy region) {
-  if (auto begun = begin(state); !begun)
-    return begun;
+  VOXC_TRY(begin(state));
   vkCmdCopyBuffer(state.commands, from, to, 1, &region);
   recordBarrier(state.commands);
   return submitAndWait(state);
@@ -84,10 +83,7 @@ Expected<GpuBuffer> makeBuffer(const Gpu::State &state, std::uint64_t bytes, VkM
   info.size = made.bytes;
   info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
                VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-  auto buffer = make<OwnedBuffer>(state.device, vkCreateBuffer, info, "make a buffer");
-  if (!buffer)
-    return buffer.error();
-  made.buffer = std::move(*buffer);
+  made.buffer = VOXC_TRY(make<OwnedBuffer>(state.device, vkCreateBuffer, info, "make a buffer"));
   VkMemoryRequirements needs{};
   vkGetBufferMemoryRequirements(state.device, made.buffer.get(), &needs);
   VkMemoryAllocateInfo allocation{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
@@ -96,10 +92,7 @@ Expected<GpuBuffer> makeBuffer(const Gpu::State &state, std::uint64_t bytes, VkM
   if (allocation.memoryTypeIndex == kNoType)
     return Error::environment("the device has no memory of the kind that a buffer needs");
   constexpr const char *kVerb = "give a buffer memory";
-  auto memory = make<OwnedMemory>(state.device, vkAllocateMemory, allocation, kVerb);
-  if (!memory)
-    return memory.error();
-  made.memory = std::move(*memory);
+  made.memory = VOXC_TRY(make<OwnedMemory>(state.device, vkAllocateMemory, allocation, kVerb));
   if (const VkResult result = vkBindBufferMemory(state.device, made.buffer.get(), made.memory.get(), 0);
       result != VK_SUCCESS)
     return gpuError(kVerb, result);
@@ -135,8 +128,7 @@ Expected<void> Gpu::download(const GpuBuffer &buffer, std::span<std::byte> bytes
 Expected<std::vector<double>> Gpu::run(std::span<const GpuStep> steps) const {
   if (steps.size() > kMostSteps)
     return Error::usage("there are more steps than are timed at once");
-  if (auto begun = begin(*state_); !begun)
-    return begun.error();
+  VOXC_TRY(begin(*state_));
   const auto count = static_cast<std::uint32_t>(steps.size());
   const VkQueryPool queries = state_->queries.get();
   vkCmdResetQueryPool(state_->commands, queries, 0, count + 1);
@@ -146,8 +138,7 @@ Expected<std::vector<double>> Gpu::run(std::span<const GpuStep> steps) const {
     recordBarrier(state_->commands);
     vkCmdWriteTimestamp(state_->commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, queries, i + 1);
   }
-  if (auto done = submitAndWait(*state_); !done)
-    return done.error();
+  VOXC_TRY(submitAndWait(*state_));
   std::array<std::uint64_t, kMostSteps + 1> ticks{};
   if (const VkResult result =
           vkGetQueryPoolResults(state_->device, queries, 0, count + 1, sizeof ticks, ticks.data(),

@@ -57,12 +57,9 @@ Expected<KernelSubject> KernelSubject::make(const Gpu &gpu, const Volume &volume
     return Error::environment("the volume has " + std::to_string(volume.words().size_bytes()) +
                               " bytes, and a buffer of the device holds " +
                               std::to_string(gpu.facts().mostStorageBytes));
-  auto words = gpu.makeBuffer(volume.words().size() * sizeof(std::uint32_t));
-  if (!words)
-    return words.error();
-  if (auto uploaded = gpu.upload(*words, std::as_bytes(std::span(volume.words()))); !uploaded)
-    return uploaded.error();
-  return KernelSubject(gpu, volume, options, std::move(*words));
+  auto words = VOXC_TRY(gpu.makeBuffer(volume.words().size() * sizeof(std::uint32_t)));
+  VOXC_TRY(gpu.upload(words, std::as_bytes(std::span(volume.words()))));
+  return KernelSubject(gpu, volume, options, std::move(words));
 }
 
 Expected<KernelSubject::Way> KernelSubject::makeWay(const Kernel &kernel, std::uint32_t group,
@@ -79,16 +76,10 @@ Expected<KernelSubject::Way> KernelSubject::makeWay(const Kernel &kernel, std::u
       (kernel.arithmetic == Arithmetic::Nearest && !gpu_->facts().roundsToNearest))
     return Error::environment("the kernel relies on arithmetic=" + std::string(toString(kernel.arithmetic)) +
                               ", which is not known of the device");
-  auto defers = makeVariant(*gpu_, kernel, false, group, anywhere);
-  if (!defers)
-    return defers.error();
-  auto resolves = makeVariant(*gpu_, kernel, true, group, anywhere);
-  if (!resolves)
-    return resolves.error();
-  auto list = gpu_->makeBuffer((kListHead + mostRays) * sizeof(std::uint32_t));
-  if (!list)
-    return list.error();
-  return Way{group, std::move(*defers), std::move(*resolves), std::move(*list)};
+  auto defers = VOXC_TRY(makeVariant(*gpu_, kernel, false, group, anywhere));
+  auto resolves = VOXC_TRY(makeVariant(*gpu_, kernel, true, group, anywhere));
+  auto list = VOXC_TRY(gpu_->makeBuffer((kListHead + mostRays) * sizeof(std::uint32_t)));
+  return Way{group, std::move(defers), std::move(resolves), std::move(list)};
 }
 
 void KernelSubject::bind(const Way &way, const GpuBuffer &rays, const GpuBuffer &hits) const {
@@ -99,16 +90,12 @@ void KernelSubject::bind(const Way &way, const GpuBuffer &rays, const GpuBuffer 
 Expected<tool::Json> KernelSubject::trace(const Way &way, const RaysThere &set, bool atOnce) const {
   bind(way, set.buffer, set.hits);
   const std::vector<GpuStep> steps = way.stepsOf(set.rays.size(), gpu_->facts().mostGroups, atOnce);
-  const auto times = timeSteps(*gpu_, steps, options_.seconds);
-  if (!times)
-    return times.error();
+  const auto times = VOXC_TRY(timeSteps(*gpu_, steps, options_.seconds));
   hits_.resize(set.rays.size()); // Kept: pages of a new one would take longer than the rays.
   const std::span<Hit> hits(hits_);
-  if (auto read = gpu_->download(set.hits, std::as_writable_bytes(hits)); !read)
-    return read.error();
+  VOXC_TRY(gpu_->download(set.hits, std::as_writable_bytes(hits)));
   std::array<std::uint32_t, kListHead> list{};
-  if (auto read = gpu_->download(way.list, std::as_writable_bytes(std::span(list))); !read)
-    return read.error();
+  VOXC_TRY(gpu_->download(way.list, std::as_writable_bytes(std::span(list))));
   Difference difference = differenceOf(hits, set.exact);
   if (const PayloadKind &kind = kindOf(volume_->layout().payload); !kind.varies && !kind.oneColour)
     difference.colour = 0; // It keeps none.
@@ -116,8 +103,8 @@ Expected<tool::Json> KernelSubject::trace(const Way &way, const RaysThere &set, 
                     {"count", set.rays.size()},
                     {"group", way.group},
                     {"dispatches", atOnce ? 1 : 2},
-                    {"mrays_per_s", speedJson(set.rays.size(), *times)},
-                    {"step_seconds", times->steps},
+                    {"mrays_per_s", speedJson(set.rays.size(), times)},
+                    {"step_seconds", times.steps},
                     {"deferred", atOnce ? 0 : list[3]},
                     {"hits", std::ranges::count_if(hits, &Hit::isHit)},
                     {"error", difference.toJson()}};
@@ -125,10 +112,8 @@ Expected<tool::Json> KernelSubject::trace(const Way &way, const RaysThere &set, 
 
 Expected<void> KernelSubject::keepRows(const Way &way, const RaysThere &set, tool::Json &rows) const {
   for (int atOnce = 0; atOnce <= int(options_.atOnce); ++atOnce) {
-    auto row = trace(way, set, atOnce != 0);
-    if (!row)
-      return row.error();
-    rows.push_back(std::move(*row));
+    auto row = VOXC_TRY(trace(way, set, atOnce != 0));
+    rows.push_back(std::move(row));
   }
   return {};
 }
@@ -148,16 +133,13 @@ Expected<tool::Json> KernelSubject::measure(const Kernel &kernel, std::span<cons
           traced.push_back(&set);
       if (traced.empty())
         continue;
-      const auto way = makeWay(kernel, group, mostRays, far);
-      if (!way)
-        return way.error();
+      const auto way = VOXC_TRY(makeWay(kernel, group, mostRays, far));
       programs.push_back({{"group", group},
                           {"far", far},
-                          {"defers", figuresJson(way->defers)},
-                          {"resolves", figuresJson(way->resolves)}});
+                          {"defers", figuresJson(way.defers)},
+                          {"resolves", figuresJson(way.resolves)}});
       for (const RaysThere *const set : traced)
-        if (auto kept = keepRows(*way, *set, rows); !kept)
-          return kept.error();
+        VOXC_TRY(keepRows(way, *set, rows));
     }
   }
   return tool::Json{{"programs", programs}, {"rows", rows}};

@@ -17,15 +17,13 @@ constexpr std::uint64_t kBatchRays = std::uint64_t{1} << 21; // In 2^15 groups, 
 
 /// The words of all voxels, x fastest.
 Expected<std::vector<std::uint32_t>> wordsOf(const Volume &volume, int edge) {
-  const auto oracle = Oracle::of(volume);
-  if (!oracle)
-    return oracle.error();
+  const auto oracle = VOXC_TRY(Oracle::of(volume));
   std::vector<std::uint32_t> words;
   words.reserve(static_cast<std::size_t>(edge) * static_cast<std::size_t>(edge * edge));
   for (int z = 0; z < edge; ++z)
     for (int y = 0; y < edge; ++y)
       for (int x = 0; x < edge; ++x)
-        words.push_back(oracle->voxel({x, y, z}));
+        words.push_back(oracle.voxel({x, y, z}));
   return words;
 }
 
@@ -47,8 +45,7 @@ Expected<tool::Json> exampleOf(const Gpu &gpu, std::uint32_t number, const GpuBu
   std::array<std::array<std::uint32_t, 6>, 3> records{};
   const std::array<const GpuBuffer *, 3> buffers = {&rays, &exact, &hits};
   for (std::size_t i = 0; i < records.size(); ++i) {
-    if (auto read = gpu.download(*buffers[i], all); !read)
-      return read.error();
+    VOXC_TRY(gpu.download(*buffers[i], all));
     std::copy_n(reinterpret_cast<const std::uint32_t *>(all.data()) + std::size_t{6} * number, 6,
                 records[i].begin());
   }
@@ -85,24 +82,13 @@ private:
 
 Expected<Check> Check::make(const Gpu &gpu, const Volume &volume, const Kernel &kernel,
                             const LatticePrograms &programs, int edge) {
-  const auto words = wordsOf(volume, edge);
-  if (!words)
-    return words.error();
-  auto lattice = Program::make(gpu, programs.lattice, 3, 4);
-  if (!lattice)
-    return lattice.error();
-  auto compare = Program::make(gpu, programs.compare, 3, 1);
-  if (!compare)
-    return compare.error();
-  auto subject = KernelSubject::make(gpu, volume, {});
-  if (!subject)
-    return subject.error();
-  auto way = subject->makeWay(kernel, kWorkgroupSize, kBatchRays, true);
-  if (!way)
-    return way.error();
-  Check check(gpu, edge, std::move(*subject), std::move(*way), std::move(*lattice), std::move(*compare));
-  if (auto made = check.makeBuffers(*words); !made)
-    return made.error();
+  const auto words = VOXC_TRY(wordsOf(volume, edge));
+  auto lattice = VOXC_TRY(Program::make(gpu, programs.lattice, 3, 4));
+  auto compare = VOXC_TRY(Program::make(gpu, programs.compare, 3, 1));
+  auto subject = VOXC_TRY(KernelSubject::make(gpu, volume, {}));
+  auto way = VOXC_TRY(subject.makeWay(kernel, kWorkgroupSize, kBatchRays, true));
+  Check check(gpu, edge, std::move(subject), std::move(way), std::move(lattice), std::move(compare));
+  VOXC_TRY(check.makeBuffers(words));
   return check;
 }
 
@@ -115,10 +101,7 @@ Expected<void> Check::makeBuffers(std::span<const std::uint32_t> words) {
        {Room{cells_, words.size_bytes()}, Room{rays_, kBatchRays * sizeof(Ray)},
         Room{exact_, kBatchRays * sizeof(Hit)}, Room{hits_, kBatchRays * sizeof(Hit)},
         Room{verdict_, sizeof(Verdict)}}) {
-    auto made = gpu_->makeBuffer(bytes);
-    if (!made)
-      return made.error();
-    buffer = std::move(*made);
+    buffer = VOXC_TRY(gpu_->makeBuffer(bytes));
   }
   lattice_.bind(std::array{&cells_, &rays_, &exact_});
   compare_.bind(std::array{&exact_, &hits_, &verdict_});
@@ -140,13 +123,9 @@ Expected<Batch> Check::batch(std::uint64_t number, std::uint32_t seed) const {
   for (GpuStep &step : way_.stepsOf(kBatchRays, gpu_->facts().mostGroups, false))
     steps.push_back(std::move(step));
   steps.push_back({.program = &compare_, .words = {kCount}, .groupsX = kGroups});
-  const auto run = gpu_->run(steps);
-  if (!run)
-    return run.error();
-  Batch batch{.exactSeconds = (*run)[1],
-              .kernelSeconds = std::accumulate(run->begin() + 2, run->end() - 1, 0.0)};
-  if (auto read = gpu_->download(verdict_, std::as_writable_bytes(std::span(&batch.verdict, 1))); !read)
-    return read.error();
+  const auto run = VOXC_TRY(gpu_->run(steps));
+  Batch batch{.exactSeconds = run[1], .kernelSeconds = std::accumulate(run.begin() + 2, run.end() - 1, 0.0)};
+  VOXC_TRY(gpu_->download(verdict_, std::as_writable_bytes(std::span(&batch.verdict, 1))));
   return batch;
 }
 
@@ -160,28 +139,20 @@ Expected<tool::Json> checkLattice(const Gpu &gpu, const Volume &volume, const Ke
     return Error::input("the volume has " + std::to_string(edge) +
                         " voxels along an axis; lattice rays are for " + std::to_string(kMostEdge) +
                         " at most");
-  const auto check = Check::make(gpu, volume, kernel, programs, edge);
-  if (!check)
-    return check.error();
+  const auto check = VOXC_TRY(Check::make(gpu, volume, kernel, programs, edge));
   const Stopwatch watch;
   std::uint64_t rays = 0, hits = 0, wrong = 0;
   double exactSeconds = 0, kernelSeconds = 0;
   tool::Json example;
   while (rays < options.rays && (options.seconds == 0 || watch.seconds() < options.seconds)) {
-    const auto batch = check->batch(rays / kBatchRays, options.seed);
-    if (!batch)
-      return batch.error();
+    const auto batch = VOXC_TRY(check.batch(rays / kBatchRays, options.seed));
     rays += kBatchRays;
-    hits += batch->verdict.hits;
-    wrong += batch->verdict.wrong;
-    exactSeconds += batch->exactSeconds;
-    kernelSeconds += batch->kernelSeconds;
-    if (batch->verdict.wrong > 0 && example.is_null()) {
-      auto shown = check->example(batch->verdict);
-      if (!shown)
-        return shown;
-      example = std::move(*shown);
-    }
+    hits += batch.verdict.hits;
+    wrong += batch.verdict.wrong;
+    exactSeconds += batch.exactSeconds;
+    kernelSeconds += batch.kernelSeconds;
+    if (batch.verdict.wrong > 0 && example.is_null())
+      example = VOXC_TRY(check.example(batch.verdict));
   }
   tool::Json figures{{"rays", rays},
                      {"hits", hits},

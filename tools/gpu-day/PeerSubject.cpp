@@ -26,11 +26,8 @@ Expected<Nodes> parse(std::span<const std::uint32_t> words) {
 }
 
 Expected<GpuBuffer> bring(const Gpu &gpu, std::span<const std::uint32_t> words) {
-  auto buffer = gpu.makeBuffer(words.size_bytes());
-  if (!buffer)
-    return buffer;
-  if (auto uploaded = gpu.upload(*buffer, std::as_bytes(words)); !uploaded)
-    return uploaded.error();
+  auto buffer = VOXC_TRY(gpu.makeBuffer(words.size_bytes()));
+  VOXC_TRY(gpu.upload(buffer, std::as_bytes(words)));
   return buffer;
 }
 
@@ -53,41 +50,30 @@ Difference compare(std::span<const std::array<std::uint32_t, 2>> hits, std::span
 Expected<tool::Json> measurePeer(const Gpu &gpu, std::span<const std::uint32_t> spirv,
                                  std::span<const std::uint32_t> words, std::span<const RaysThere> sets,
                                  double seconds) {
-  const auto nodes = parse(words);
-  if (!nodes)
-    return nodes.error();
-  const auto a = bring(gpu, nodes->a);
-  if (!a)
-    return a.error();
-  const auto b = bring(gpu, nodes->b);
-  if (!b)
-    return b.error();
-  const auto program = Program::make(gpu, spirv, 4, 4);
-  if (!program)
-    return program.error();
+  const auto nodes = VOXC_TRY(parse(words));
+  const auto a = VOXC_TRY(bring(gpu, nodes.a));
+  const auto b = VOXC_TRY(bring(gpu, nodes.b));
+  const auto program = VOXC_TRY(Program::make(gpu, spirv, 4, 4));
   tool::Json rows = tool::Json::array();
   for (const RaysThere &set : sets) {
-    program->bind(std::array{&*a, &*b, &set.buffer, &set.hits});
+    program.bind(std::array{&a, &b, &set.buffer, &set.hits});
     const auto count = static_cast<std::uint32_t>(set.rays.size());
     const std::uint32_t pixelRows = (count + kPeerColumns - 1) / kPeerColumns;
-    const GpuStep step{.program = &*program,
-                       .words = {kPeerColumns, pixelRows, nodes->edge, nodes->levels},
+    const GpuStep step{.program = &program,
+                       .words = {kPeerColumns, pixelRows, nodes.edge, nodes.levels},
                        .groupsX = (kPeerColumns + kTile - 1) / kTile,
                        .groupsY = (pixelRows + kTile - 1) / kTile};
-    const auto times = timeSteps(gpu, std::span(&step, 1), seconds);
-    if (!times)
-      return times.error();
+    const auto times = VOXC_TRY(timeSteps(gpu, std::span(&step, 1), seconds));
     std::vector<std::array<std::uint32_t, 2>> hits(set.rays.size());
-    if (auto read = gpu.download(set.hits, std::as_writable_bytes(std::span(hits))); !read)
-      return read.error();
+    VOXC_TRY(gpu.download(set.hits, std::as_writable_bytes(std::span(hits))));
     rows.push_back({{"rays", set.name},
                     {"count", set.rays.size()},
-                    {"mrays_per_s", speedJson(set.rays.size(), *times)},
+                    {"mrays_per_s", speedJson(set.rays.size(), times)},
                     {"error", compare(hits, set.exact).toJson()}});
   }
-  return tool::Json{{"programs", tool::Json::array({figuresJson(*program)})},
+  return tool::Json{{"programs", tool::Json::array({figuresJson(program)})},
                     {"rows", rows},
-                    {"bytes", (nodes->a.size() + nodes->b.size()) * sizeof(std::uint32_t)}};
+                    {"bytes", (nodes.a.size() + nodes.b.size()) * sizeof(std::uint32_t)}};
 }
 
 } // namespace voxc::gpu

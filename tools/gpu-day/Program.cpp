@@ -41,9 +41,8 @@ Expected<OwnedPipeline> makePipeline(const Gpu::State &state, std::span<const st
   VkShaderModuleCreateInfo moduleInfo{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
   moduleInfo.codeSize = spirv.size_bytes();
   moduleInfo.pCode = spirv.data();
-  const auto shader = make<OwnedShader>(state.device, vkCreateShaderModule, moduleInfo, "take a program");
-  if (!shader)
-    return shader.error();
+  const auto shader =
+      VOXC_TRY(make<OwnedShader>(state.device, vkCreateShaderModule, moduleInfo, "take a program"));
   std::vector<VkSpecializationMapEntry> entries;
   for (const ProgramConstant &constant : constants)
     entries.push_back({constant.id,
@@ -56,7 +55,7 @@ Expected<OwnedPipeline> makePipeline(const Gpu::State &state, std::span<const st
   info.flags = state.facts.hasStatistics ? VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR : 0;
   info.stage = {VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO};
   info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
-  info.stage.module = shader->get();
+  info.stage.module = shader.get();
   info.stage.pName = "main";
   info.stage.pSpecializationInfo = &specialization;
   info.layout = layout;
@@ -88,18 +87,9 @@ Expected<Program> Program::make(const Gpu &gpu, std::span<const std::uint32_t> s
   Program made;
   made.state_ = &gpu.state();
   const VkDevice device = made.state_->device;
-  auto set = makeSetLayout(device, bindings);
-  if (!set)
-    return set.error();
-  made.setLayout_ = std::move(*set);
-  auto layout = makeLayout(device, made.setLayout_.get(), pushWords);
-  if (!layout)
-    return layout.error();
-  made.layout_ = std::move(*layout);
-  auto pool = makePool(device, bindings);
-  if (!pool)
-    return pool.error();
-  made.pool_ = std::move(*pool);
+  made.setLayout_ = VOXC_TRY(makeSetLayout(device, bindings));
+  made.layout_ = VOXC_TRY(makeLayout(device, made.setLayout_.get(), pushWords));
+  made.pool_ = VOXC_TRY(makePool(device, bindings));
   const VkDescriptorSetLayout setLayout = made.setLayout_.get();
   VkDescriptorSetAllocateInfo allocation{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
   allocation.descriptorPool = made.pool_.get();
@@ -107,10 +97,7 @@ Expected<Program> Program::make(const Gpu &gpu, std::span<const std::uint32_t> s
   allocation.pSetLayouts = &setLayout;
   if (const VkResult result = vkAllocateDescriptorSets(device, &allocation, &made.set_); result != VK_SUCCESS)
     return gpuError("bind buffers", result);
-  auto pipeline = makePipeline(*made.state_, spirv, made.layout_.get(), constants);
-  if (!pipeline)
-    return pipeline.error();
-  made.pipeline_ = std::move(*pipeline);
+  made.pipeline_ = VOXC_TRY(makePipeline(*made.state_, spirv, made.layout_.get(), constants));
   return made;
 }
 

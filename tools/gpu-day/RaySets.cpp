@@ -95,14 +95,10 @@ public:
 
   /// Keeps a set, and gives the oracle's hits of it.
   Expected<Hits> keep(const std::string &name, const Rays &rays) const {
-    auto hits = oracle_.trace(rays);
-    if (!hits)
-      return hits.error();
+    auto hits = VOXC_TRY(oracle_.trace(rays));
     const std::string path = (std::filesystem::path(folder_) / name).string();
-    if (auto written = write(path + ".rays", rays); !written)
-      return written.error();
-    if (auto written = write(path + ".hits", *hits); !written)
-      return written.error();
+    VOXC_TRY(write(path + ".rays", rays));
+    VOXC_TRY(write(path + ".hits", hits));
     return hits;
   }
 
@@ -148,25 +144,19 @@ Expected<void> keepSecondary(const Sets &sets, const Rays &rays, const Hits &hit
     const glm::dvec3 direction = normal + onSphere(index);
     return glm::dot(direction, direction) > 1e-12 ? direction : normal;
   };
-  if (auto kept = sets.keep("shadow", offSurfaces(rays, hits, toSun)); !kept)
-    return kept.error();
-  if (auto kept = sets.keep("bounce", offSurfaces(rays, hits, diffuse)); !kept)
-    return kept.error();
+  VOXC_TRY(sets.keep("shadow", offSurfaces(rays, hits, toSun)));
+  VOXC_TRY(sets.keep("bounce", offSurfaces(rays, hits, diffuse)));
   return {};
 }
 
 Expected<void> keepCameras(const Sets &sets, const std::vector<NamedCamera> &cameras) {
   for (const NamedCamera &named : cameras) {
     const Rays rays = cameraRays(named.camera);
-    const auto hits = sets.keep(named.name, rays);
-    if (!hits)
-      return hits.error();
+    const auto hits = VOXC_TRY(sets.keep(named.name, rays));
     if (&named == &cameras.front())
-      if (const auto kept = sets.keep(named.name + "-tiles", inTiles(rays, named.camera)); !kept)
-        return kept.error();
+      VOXC_TRY(sets.keep(named.name + "-tiles", inTiles(rays, named.camera)));
     if (&named == &cameras.back())
-      if (auto kept = keepSecondary(sets, rays, *hits); !kept)
-        return kept;
+      VOXC_TRY(keepSecondary(sets, rays, hits));
   }
   return {};
 }
@@ -189,8 +179,7 @@ Expected<void> makeRaySets(const Volume &volume, const std::vector<NamedCamera> 
 Expected<void> makeDistanceSets(const Volume &volume, int side, const std::string &folder) {
   return keepIn(folder, nameOfDistance(kEdges.back()), volume, [&](const Sets &sets) -> Expected<void> {
     for (const double edges : kEdges)
-      if (const auto kept = sets.keep(nameOfDistance(edges), fromDistance(volume, edges, side)); !kept)
-        return kept.error();
+      VOXC_TRY(sets.keep(nameOfDistance(edges), fromDistance(volume, edges, side)));
     return {};
   });
 }

@@ -42,15 +42,10 @@ double sum(const std::vector<double> &seconds) {
 Expected<RaysThere> bringRays(const Gpu &gpu, const std::string &name, std::span<const Ray> rays,
                               std::span<const Hit> exact, std::uint64_t padded) {
   const std::uint64_t room = (rays.size() + padded) * sizeof(Ray);
-  auto buffer = gpu.makeBuffer(room);
-  if (!buffer)
-    return buffer.error();
-  auto hits = gpu.makeBuffer(room);
-  if (!hits)
-    return hits.error();
-  if (auto uploaded = gpu.upload(*buffer, std::as_bytes(rays)); !uploaded)
-    return uploaded.error();
-  return RaysThere{name, rays, exact, std::move(*buffer), std::move(*hits)};
+  auto buffer = VOXC_TRY(gpu.makeBuffer(room));
+  auto hits = VOXC_TRY(gpu.makeBuffer(room));
+  VOXC_TRY(gpu.upload(buffer, std::as_bytes(rays)));
+  return RaysThere{name, rays, exact, std::move(buffer), std::move(hits)};
 }
 
 Expected<Times> timeSteps(const Gpu &gpu, std::span<const GpuStep> steps, double seconds) {
@@ -59,21 +54,17 @@ Expected<Times> timeSteps(const Gpu &gpu, std::span<const GpuStep> steps, double
   // The first runs compile, fill caches, and raise clocks.
   WarmUp warmUp(seconds);
   for (bool isWarm = false; !isWarm;) {
-    const auto run = gpu.run(steps);
-    if (!run)
-      return run.error();
-    isWarm = warmUp.isOver(sum(*run));
+    const auto run = VOXC_TRY(gpu.run(steps));
+    isWarm = warmUp.isOver(sum(run));
   }
   double timed = 0;
   while (timed < seconds || static_cast<int>(times.totals.size()) < kFewestRuns) {
-    const auto run = gpu.run(steps);
-    if (!run)
-      return run.error();
-    const double total = sum(*run);
+    const auto run = VOXC_TRY(gpu.run(steps));
+    const double total = sum(run);
     timed += total;
     times.totals.push_back(total);
     for (std::size_t i = 0; i < steps.size(); ++i)
-      ofStep[i].push_back((*run)[i]);
+      ofStep[i].push_back(run[i]);
   }
   times.megahertz = clockMegahertz();
   std::ranges::sort(times.totals);

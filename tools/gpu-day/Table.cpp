@@ -180,14 +180,12 @@ void Day::addLattice(const Json &cell) {
 }
 
 Expected<void> Day::readFile(const fs::path &file) {
-  const auto text = readTextFile(file.string());
-  if (!text)
-    return text.error();
+  const auto text = VOXC_TRY(readTextFile(file.string()));
   if (file.extension() == ".failed") {
-    fail(file.stem().string(), text->substr(0, text->find('\n')));
+    fail(file.stem().string(), text.substr(0, text.find('\n')));
     return {};
   }
-  const Json cell = Json::parse(*text, nullptr, false);
+  const Json cell = Json::parse(text, nullptr, false);
   if (!cell.is_object() || !cell.contains("device") ||
       !(cell.contains("kernels") || cell.contains("lattice")))
     return Error::input("'" + file.string() + "' has no figures of voxc-gpu-day");
@@ -200,13 +198,10 @@ Expected<void> Day::readFile(const fs::path &file) {
 }
 
 Expected<void> Day::readFolder(const fs::path &folder) {
-  const auto files = filesOf(folder.string());
-  if (!files)
-    return files.error();
-  for (const fs::path &file : *files)
+  const auto files = VOXC_TRY(filesOf(folder.string()));
+  for (const fs::path &file : files)
     if (file.extension() == ".json" || file.extension() == ".failed")
-      if (auto read = readFile(file); !read)
-        return read;
+      VOXC_TRY(readFile(file));
   return {};
 }
 
@@ -219,21 +214,17 @@ void Day::addPages(const std::string &name, const Json &figures) {
 }
 
 Expected<void> Day::readTexts(const fs::path &folder) {
-  const auto files = filesOf(folder.string());
-  if (!files)
-    return files.error();
-  for (const fs::path &file : *files) {
-    const auto text = readTextFile(file.string());
-    if (!text)
-      return text.error();
+  const auto files = VOXC_TRY(filesOf(folder.string()));
+  for (const fs::path &file : files) {
+    const auto text = VOXC_TRY(readTextFile(file.string()));
     if (file.extension() == ".txt") {
-      texts_ += "\n## " + file.stem().string() + "\n\n```\n" + *text + "```\n";
-      all_["texts"][file.stem().string()] = *text;
+      texts_ += "\n## " + file.stem().string() + "\n\n```\n" + text + "```\n";
+      all_["texts"][file.stem().string()] = text;
     } else if (file.extension() == ".json") {
-      if (const Json figures = Json::parse(*text, nullptr, false); figures.is_object())
+      if (const Json figures = Json::parse(text, nullptr, false); figures.is_object())
         addPages(file.stem().string(), figures);
-    } else if (!text->empty()) {
-      fail(file.filename().string(), text->substr(0, text->find('\n')));
+    } else if (!text.empty()) {
+      fail(file.filename().string(), text.substr(0, text.find('\n')));
     }
   }
   return {};
@@ -251,8 +242,7 @@ std::string Day::table() const {
   if (!pages_.empty())
     text +=
         "\n## Pages\n\nA volume of which a part is in memory; MB that would be enough, and million rays a "
-        "second of "
-        "the time that passed.\n\n"
+        "second of the time that passed.\n\n"
         "| Budget | enough | pages read | rounds | seconds of pages | speed |\n|---|---|---|---|---|---|\n" +
         pages_;
   text += texts_;
@@ -264,17 +254,14 @@ std::string Day::table() const {
 Expected<void> writeTables(const std::string &folder, const std::string &output) {
   Day day;
   for (const char *const part : {"cells", "lattice"})
-    if (auto read = day.readFolder(fs::path(folder) / part); !read)
-      return read;
+    VOXC_TRY(day.readFolder(fs::path(folder) / part));
   if (const fs::path texts = fs::path(folder) / "texts"; fs::exists(texts))
-    if (auto read = day.readTexts(texts); !read)
-      return read;
+    VOXC_TRY(day.readTexts(texts));
   const auto path = [&](const char *name) { return (fs::path(output) / name).string(); };
   for (const auto &[name, text] :
        {std::pair{"gpu-day.json", day.json()}, std::pair{"results.jsonl", day.records()},
         std::pair{"table.md", day.table()}})
-    if (auto written = tool::writeText(path(name), text); !written)
-      return written;
+    VOXC_TRY(tool::writeText(path(name), text));
   return {};
 }
 

@@ -2,7 +2,6 @@
 // reads.
 #include <nanovdb/util/IO.h>
 
-#include <cstdio>
 #include <fstream>
 
 int main(int count, char **arguments) {

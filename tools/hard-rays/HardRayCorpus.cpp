@@ -98,8 +98,8 @@ Expected<std::vector<CorpusRay>> parseCorpus(std::string_view text, const std::s
     CorpusRay ray{};
     if (!readRay(words, ray))
       return Error::input(name + ", line " + std::to_string(number) +
-                          ": a line is SCENE WxHxD, six components, TMIN TMAX if there are bounds, "
-                          "and the exact hit as X Y Z RGBA T");
+                          ": a line is SCENE WxHxD, six components, TMIN TMAX if there are bounds, and the "
+                          "exact hit as X Y Z RGBA T");
     rays.push_back(std::move(ray));
   }
   return rays;

@@ -35,10 +35,8 @@ void HardRayFormats::declare(const CommandLine &command) {
 Expected<std::vector<std::string>> HardRayFormats::texts() const {
   std::vector<std::string> texts = formats_;
   if (!file_.empty()) {
-    Expected<std::string> list = readTextFile(file_);
-    if (!list)
-      return list.error();
-    std::istringstream lines(*list);
+    auto list = VOXC_TRY(readTextFile(file_));
+    std::istringstream lines(list);
     for (std::string line; std::getline(lines, line);)
       if (!line.empty() && line[0] != '#')
         texts.push_back(withoutLabel(line));
@@ -49,17 +47,12 @@ Expected<std::vector<std::string>> HardRayFormats::texts() const {
 }
 
 Expected<std::vector<Format>> HardRayFormats::read(std::uint64_t seed) const {
-  const Expected<std::vector<std::string>> written = texts();
-  if (!written)
-    return written.error();
+  const auto written = VOXC_TRY(texts());
   std::vector<Format> formats;
-  for (const std::string &text : *written) {
-    Expected<Format> format = readFormat(text);
-    if (!format)
-      return format.error();
-    if (Expected<void> passed = passes_.apply(*format); !passed)
-      return passed.error();
-    formats.push_back(std::move(*format));
+  for (const std::string &text : written) {
+    auto format = VOXC_TRY(readFormat(text));
+    VOXC_TRY(passes_.apply(format));
+    formats.push_back(std::move(format));
   }
   std::mt19937 random(static_cast<std::uint32_t>(seed ^ seed >> 32));
   for (std::uint32_t i = 0; i < random_; ++i) {
@@ -67,8 +60,7 @@ Expected<std::vector<Format>> HardRayFormats::read(std::uint64_t seed) const {
     formats.push_back(test::randomFormat(random, log2Side));
   }
   for (Format &format : formats)
-    if (Expected<void> applied = attributes_.apply(format); !applied)
-      return applied.error();
+    VOXC_TRY(attributes_.apply(format));
   return formats;
 }
 

@@ -46,10 +46,8 @@ Expected<std::unique_ptr<VoxelSource>> HardRayScenes::open(const std::string &na
   if (name == kInput && !input_.empty()) {
     InputOptions options = makeInputOptions(inputArguments_, extent);
     options.progress = progress;
-    Expected<Input> input = openInput(input_, options);
-    if (!input)
-      return input.error();
-    return std::move(input->source);
+    auto input = VOXC_TRY(openInput(input_, options));
+    return std::move(input.source);
   }
   for (const test::HardScene &scene : test::hardScenes(extent))
     if (scene.name == name)

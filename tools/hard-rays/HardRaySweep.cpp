@@ -71,17 +71,13 @@ HardRaySweep::Indices HardRaySweep::formatsOf(std::size_t scene, Int3 extent, st
 
 Expected<void> HardRaySweep::run(const SweepSize &size) {
   size_ = size;
-  Expected<std::vector<std::string>> names = scenes_.names();
-  if (!names)
-    return names.error();
-  names_ = std::move(*names);
+  names_ = VOXC_TRY(scenes_.names());
   const std::size_t each = size.scenes == 0 ? names_.size() : std::min(size.scenes, names_.size());
   const std::uint64_t runs = formats_.size() * each * devices_.all().size();
   const std::uint64_t raysEach = std::max<std::uint64_t>(1, (size.rays + runs - 1) / runs);
   const std::uint64_t rounds = (raysEach + kMostRaysAtOnce - 1) / kMostRaysAtOnce;
   for (std::uint64_t round = 0; size.seconds > 0 ? !isOver() : round < rounds; ++round)
-    if (Expected<void> done = runRound(round, (raysEach + rounds - 1) / rounds); !done)
-      return done;
+    VOXC_TRY(runRound(round, (raysEach + rounds - 1) / rounds));
   return {};
 }
 
@@ -91,8 +87,7 @@ Expected<void> HardRaySweep::runRound(std::uint64_t round, std::uint64_t raysEac
       const Indices formats = formatsOf(scene, extent, round);
       if (formats.empty() || isOver())
         continue;
-      if (Expected<void> done = runScene(scene, extent, formats, round, raysEach); !done)
-        return done;
+      VOXC_TRY(runScene(scene, extent, formats, round, raysEach));
     }
     constructors_.clear(); // None of them is needed for another extent.
   }
@@ -106,14 +101,11 @@ Expected<void> HardRaySweep::runScene(std::size_t scene, Int3 extent, const Indi
       mixed(static_cast<std::uint64_t>(extent.x) << 42 | static_cast<std::uint64_t>(extent.y) << 21 |
                 static_cast<std::uint64_t>(extent.z),
             scene);
-  const Expected<Oracle> oracle = makeSet(set, raysEach, mixed(size_.seed + round, place));
-  if (!oracle)
-    return oracle.error();
+  const auto oracle = VOXC_TRY(makeSet(set, raysEach, mixed(size_.seed + round, place)));
   for (const std::size_t format : formats) {
     if (isOver())
       break;
-    if (Expected<void> traced = traceSet(set, *oracle, format); !traced)
-      return traced;
+    VOXC_TRY(traceSet(set, oracle, format));
     if (size_.scenes == 1)
       constructors_.clear(); // Each is asked once: nothing grows with the number of formats.
   }
@@ -122,34 +114,26 @@ Expected<void> HardRaySweep::runScene(std::size_t scene, Int3 extent, const Indi
 
 /// Fills the set with rays of every class and their exact hits.
 Expected<Oracle> HardRaySweep::makeSet(RaySet &set, std::uint64_t raysEach, std::uint64_t seed) {
-  Expected<std::unique_ptr<VoxelSource>> source = scenes_.open(set.scene, set.extent, quiet_);
-  if (!source)
-    return source.error();
-  Expected<Oracle> oracle = Oracle::of(**source, quiet_);
-  if (!oracle)
-    return oracle;
-  const std::vector<Int3> voxels = oracle->sampleVoxels(kVoxelsAimedAt);
+  auto source = VOXC_TRY(scenes_.open(set.scene, set.extent, quiet_));
+  auto oracle = VOXC_TRY(Oracle::of(*source, quiet_));
+  const std::vector<Int3> voxels = oracle.sampleVoxels(kVoxelsAimedAt);
   for (const ClassShare &share : budget_.share(set.scene, static_cast<std::size_t>(raysEach))) {
     const std::vector<Ray> rays =
-        test::hardRays({(*source)->extent(), voxels}, share.name, share.rays, mixed(seed, set.parts.size()));
+        test::hardRays({source->extent(), voxels}, share.name, share.rays, mixed(seed, set.parts.size()));
     set.parts.push_back({std::string(share.name), set.rays.size(), rays.size()});
     set.rays.insert(set.rays.end(), rays.begin(), rays.end());
   }
   if (size_.bounds)
-    for (const BoundedRay &ray : withHardBounds(*oracle, set.rays, seed))
+    for (const BoundedRay &ray : withHardBounds(oracle, set.rays, seed))
       set.bounds.push_back(ray.bounds());
-  if (Expected<void> answered = answer(set, *oracle); !answered)
-    return answered.error();
+  VOXC_TRY(answer(set, oracle));
   return oracle;
 }
 
 Expected<void> HardRaySweep::answer(RaySet &set, const Oracle &oracle) {
   const Stopwatch watch;
   const std::vector<BoundedRay> rays = set.boundedRays();
-  Expected<std::vector<Hit>> exact = oracle.trace(rays, devices_.threads(), quiet_);
-  if (!exact)
-    return exact.error();
-  set.exact = std::move(*exact);
+  set.exact = VOXC_TRY(oracle.trace(rays, devices_.threads(), quiet_));
   times_.oracle += watch.seconds();
   times_.exactRays += set.rays.size();
   return {};
@@ -164,14 +148,12 @@ Expected<Volume> HardRaySweep::build(const RaySet &set, std::size_t format) {
       return withFormat(formats_[format], compiled.error());
     constructor = constructors_.emplace(format, std::move(*compiled)).first;
   }
-  Expected<std::unique_ptr<VoxelSource>> source = scenes_.open(set.scene, set.extent, quiet_);
-  if (!source)
-    return source.error();
+  auto source = VOXC_TRY(scenes_.open(set.scene, set.extent, quiet_));
   BuildOptions options;
   options.threads =
       devices_.threads() > 0 ? devices_.threads() : std::max(std::thread::hardware_concurrency(), 1u);
   options.progress = quiet_;
-  Expected<Built> built = constructor->second.build(**source, options);
+  Expected<Built> built = constructor->second.build(*source, options);
   if (!built)
     return withFormat(formats_[format], built.error());
   times_.build += watch.seconds();
@@ -190,9 +172,7 @@ void colourHits(std::span<Hit> hits, const Oracle &oracle) {
 } // namespace
 
 Expected<void> HardRaySweep::traceSet(const RaySet &set, const Oracle &oracle, std::size_t format) {
-  const Expected<Volume> volume = build(set, format);
-  if (!volume)
-    return volume.error();
+  const auto volume = VOXC_TRY(build(set, format));
   Format asked = formats_[format];
   if (set.isBounded())
     askForBounds(asked);
@@ -204,13 +184,11 @@ Expected<void> HardRaySweep::traceSet(const RaySet &set, const Oracle &oracle, s
   for (const TracingDevices::Device &device : devices_.all()) {
     const Stopwatch watch;
     Json figures;
-    if (Expected<void> prepared = device.tracing->prepare(*volume, asked, figures); !prepared)
-      return prepared;
+    VOXC_TRY(device.tracing->prepare(volume, asked, figures));
     times_.kernel += watch.seconds();
-    if (Expected<void> traced = device.tracing->trace(rays, hits, {.progress = quiet_}, figures); !traced)
-      return traced;
+    VOXC_TRY(device.tracing->trace(rays, hits, {.progress = quiet_}, figures));
     times_.trace += figures.value("cpu_seconds", 0.0);
-    if (const PayloadKind &kind = kindOf(volume->layout().payload); !kind.varies && !kind.oneColour)
+    if (const PayloadKind &kind = kindOf(volume.layout().payload); !kind.varies && !kind.oneColour)
       colourHits(hits, oracle);
     report_.add(set, oracle, hits, asked, figures.value("device", device.name));
     const double done = size_.seconds > 0
@@ -251,21 +229,16 @@ Error wrongInCorpus(const RaySet &set, std::size_t index, const Hit &exact) {
 
 Expected<void> HardRaySweep::runCorpus(const std::vector<CorpusRay> &corpus) {
   for (RaySet &set : setsOf(corpus)) {
-    Expected<std::unique_ptr<VoxelSource>> source = scenes_.open(set.scene, set.extent, quiet_);
-    if (!source)
-      return source.error();
-    const Expected<Oracle> oracle = Oracle::of(**source, quiet_);
-    if (!oracle)
-      return oracle.error();
+    auto source = VOXC_TRY(scenes_.open(set.scene, set.extent, quiet_));
+    const auto oracle = VOXC_TRY(Oracle::of(*source, quiet_));
     for (std::size_t i = 0; i < set.rays.size(); ++i)
-      if (const Hit exact = oracle->trace(set.rays[i], set.isBounded() ? set.bounds[i] : RayBounds{});
+      if (const Hit exact = oracle.trace(set.rays[i], set.isBounded() ? set.bounds[i] : RayBounds{});
           !sameHit(exact, set.exact[i]))
         return wrongInCorpus(set, i, exact);
     size_.rays += set.rays.size() * formats_.size() * devices_.all().size();
     for (std::size_t format = 0; format < formats_.size(); ++format)
       if (holds(formats_[format], set.extent))
-        if (Expected<void> traced = traceSet(set, *oracle, format); !traced)
-          return traced;
+        VOXC_TRY(traceSet(set, oracle, format));
   }
   if (report_.rays() == 0 && !corpus.empty())
     return Error::input("no format is large enough for a ray of the corpus");

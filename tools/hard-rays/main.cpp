@@ -95,22 +95,16 @@ Expected<std::uint64_t> HardRays::readSeed() const {
 Expected<HardRayBudget> HardRays::readBudget() const {
   if (budget_.empty())
     return HardRayBudget::builtin();
-  Expected<std::string> text = readTextFile(budget_);
-  if (!text)
-    return text.error();
-  return HardRayBudget::parse(*text, budget_);
+  auto text = VOXC_TRY(readTextFile(budget_));
+  return HardRayBudget::parse(text, budget_);
 }
 
 Expected<void> HardRays::sweep(HardRaySweep &sweep) const {
   if (corpus_.empty())
     return sweep.run(size_);
-  const Expected<std::string> text = readTextFile(corpus_);
-  if (!text)
-    return text.error();
-  const Expected<std::vector<CorpusRay>> corpus = parseCorpus(*text, corpus_);
-  if (!corpus)
-    return corpus.error();
-  return sweep.runCorpus(*corpus);
+  const auto text = VOXC_TRY(readTextFile(corpus_));
+  const auto corpus = VOXC_TRY(parseCorpus(text, corpus_));
+  return sweep.runCorpus(corpus);
 }
 
 void HardRays::addFigures(const HardRaySweep &sweep, const HardRayReport &report, Json &figures) const {
@@ -136,25 +130,17 @@ Expected<void> HardRays::run() {
     return {};
   }
   const Stopwatch watch;
-  const Expected<std::uint64_t> seed = readSeed();
-  if (!seed)
-    return seed.error();
-  size_.seed = *seed;
-  Expected<HardRayBudget> budget = readBudget();
-  if (!budget)
-    return budget.error();
-  Expected<std::vector<Format>> formats = formats_.read(size_.seed);
-  if (!formats)
-    return formats.error();
-  if (Expected<void> opened = devices_.open(common_); !opened)
-    return opened;
-  Json figures{{"formats", formats->size()}};
+  size_.seed = VOXC_TRY(readSeed());
+  auto budget = VOXC_TRY(readBudget());
+  auto formats = VOXC_TRY(formats_.read(size_.seed));
+  VOXC_TRY(devices_.open(common_));
+  Json figures{{"formats", formats.size()}};
   if (tellsOnStdout(common_))
-    std::printf("%zu formats, seed %llu\n", formats->size(), static_cast<unsigned long long>(size_.seed));
+    std::printf("%zu formats, seed %llu\n", formats.size(), static_cast<unsigned long long>(size_.seed));
 
   HardRayReport report(rules_);
   ProgressBar bar(common_.quiet);
-  HardRaySweep work(std::move(*formats), scenes_, *budget, devices_, report, bar.progress());
+  HardRaySweep work(std::move(formats), scenes_, budget, devices_, report, bar.progress());
   Expected<void> swept = sweep(work);
   heedInterrupt();
   bar.clear();
@@ -163,8 +149,7 @@ Expected<void> HardRays::run() {
     report.print();
   figures["seconds"] = watch.seconds();
   addFigures(work, report, figures);
-  if (Expected<void> written = writeStatistics(common_.stats, figures); !written)
-    return written;
+  VOXC_TRY(writeStatistics(common_.stats, figures));
   if (!swept)
     return swept;
   std::optional<Error> verdict = report.verdict();

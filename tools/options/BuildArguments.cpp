@@ -78,8 +78,8 @@ void addThreadsArgument(const CommandLine &command, BuildArguments &arguments) {
 void addMaxBytesArgument(const CommandLine &command, BuildArguments &arguments) {
   command
       .add("--max-bytes", arguments.maxBytes,
-           "Fail as soon as the volume's words take more; default: what references can reach, 16GiB "
-           "without granules")
+           "Fail as soon as the volume's words take more; default: what references can reach, 16GiB without "
+           "granules")
       .takes("SIZE")
       .check(sizeProblem);
 }

@@ -5,7 +5,6 @@
 
 #include "common/Statistics.h"
 
-#include <cinttypes>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>

@@ -18,15 +18,13 @@ void addInputArguments(const CommandLine &command, InputArguments &arguments) {
   command
       .add("--voxel-size", arguments.voxelSize,
            "The side of a voxel in place of a resolution, as 0.5 in units of the model or 0.5mm; a scan is "
-           "made anew "
-           "in such cubes")
+           "made anew in such cubes")
       .takes("SIZE")
       .check(problemOfVoxelSize);
   command
       .add("--unit", arguments.unit,
            "What a step of 1 in the model is, for --voxel-size: nm, um, mm, cm, m, km, in or ft; default: "
-           "what the "
-           "file says, metres of glTF")
+           "what the file says, metres of glTF")
       .takes("UNIT")
       .check(problemOfUnit);
   command
@@ -47,8 +45,7 @@ void addInputArguments(const CommandLine &command, InputArguments &arguments) {
   command
       .add("--coverage", arguments.coverage,
            "Voxels of a mesh: conservative (default), all that a triangle touches; thin, fewer; inner, thin "
-           "with "
-           "one where a face lies between two; or centre, all whose centre is inside")
+           "with one where a face lies between two; or centre, all whose centre is inside")
       .takes("RULE")
       .oneOf(inputValues("--coverage"));
   command
@@ -59,14 +56,13 @@ void addInputArguments(const CommandLine &command, InputArguments &arguments) {
       .oneOf(inputValues("--colour"));
   command
       .add("--threshold", arguments.threshold,
-           "Samples of a dense volume from here up are voxels; default: all but 0, or, where these are "
-           "more than "
-           "30 %, those above the threshold that parts them best")
+           "Samples of a dense volume from here up are voxels; default: all but 0, or, where these are more "
+           "than 30 %, those above the threshold that parts them best")
       .takes("T");
   command
       .add("--colour-map", arguments.colourMap,
-           "Colours of a dense volume: grey (default), heat, dusk or polar; labels: samples, or the "
-           "numbers of .vox colours, as they are")
+           "Colours of a dense volume: grey (default), heat, dusk or polar; labels: samples, or the numbers "
+           "of .vox colours, as they are")
       .takes("NAME")
       .suggests({"grey", "heat", "dusk", "polar", "labels"});
   command

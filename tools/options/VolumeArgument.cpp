@@ -38,20 +38,16 @@ void VolumeArgument::declareKernelOptions(const CommandLine &command) {
 }
 
 Expected<int> VolumeArgument::frame() const {
-  const Expected<FramePath> named = parseFramePath(path_);
-  if (!named)
-    return named.error();
-  if (named->frame > 0 && frame_ > 0 && named->frame != frame_)
+  const auto named = VOXC_TRY(parseFramePath(path_));
+  if (named.frame > 0 && frame_ > 0 && named.frame != frame_)
     return Error::usage("'" + path_ + "' names another frame than --frame " + std::to_string(frame_) +
                         "; give one of them");
-  return named->frame > 0 ? named->frame : frame_;
+  return named.frame > 0 ? named.frame : frame_;
 }
 
 template <typename Load> Expected<Volume> VolumeArgument::loadBy(const Load &load) const {
-  const Expected<int> frame = this->frame();
-  if (!frame)
-    return frame.error();
-  LoadOptions options{.trusted = trusted_, .frame = *frame, .mostCubes = mostCubes_};
+  const auto frame = VOXC_TRY(this->frame());
+  LoadOptions options{.trusted = trusted_, .frame = frame, .mostCubes = mostCubes_};
   options.progress.stop = &catchInterrupts();
   std::error_code ignored;
   if (!std::filesystem::exists(path(), ignored) && namesFiles(path()))
@@ -73,10 +69,8 @@ Expected<Volume> VolumeArgument::loadFile() const {
 
 Expected<Format> VolumeArgument::kernelFormat(const Volume &volume) const {
   Format format = volume.format();
-  if (Expected<void> passed = traversalPasses_.apply(format); !passed)
-    return passed.error();
-  if (Expected<void> applied = attributes_.apply(format); !applied)
-    return applied.error();
+  VOXC_TRY(traversalPasses_.apply(format));
+  VOXC_TRY(attributes_.apply(format));
   return format;
 }
 

@@ -33,8 +33,7 @@ Expected<Volume> DeviceMemory::open(const std::string &path, int frame, Json &fi
   if (!opened)
     return volumeFailure(opened.error());
   if (frame > 0)
-    if (Expected<void> chosen = opened->chooseFrame(frame); !chosen)
-      return chosen.error();
+    VOXC_TRY(opened->chooseFrame(frame));
   volume_.emplace(std::move(*opened));
   const PagedStream &words = volume_->streams().front();
   Volume outline(volume_->info(), std::vector<std::uint32_t>(2));

@@ -23,9 +23,7 @@ Expected<void> ErrorCheck::run(const Volume &volume, const RaySpan &rays, std::s
   const std::size_t count = std::min(sample_, rays.size());
   if (count == 0)
     return {};
-  const Expected<Oracle> oracle = Oracle::of(volume, progress);
-  if (!oracle)
-    return oracle.error();
+  const auto oracle = VOXC_TRY(Oracle::of(volume, progress));
   std::vector<BoundedRay> sampledRays(count);
   std::vector<Hit> sampledHits(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -33,7 +31,7 @@ Expected<void> ErrorCheck::run(const Volume &volume, const RaySpan &rays, std::s
     sampledRays[i] = bounded(rays[at], rays.bounds(at));
     sampledHits[i] = hits[at];
   }
-  figures["error"] = errorJson(compare(*oracle, sampledRays, sampledHits, question));
+  figures["error"] = errorJson(compare(oracle, sampledRays, sampledHits, question));
   return {};
 }
 

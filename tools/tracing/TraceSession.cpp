@@ -23,10 +23,9 @@ void limitDeviceThreads(unsigned threads) {
 void TraceSession::declare(const CommandLine &command) {
   const OptionGroup group(command, "Device");
   command
-      .add(
-          "--device", deviceName_,
-          "Trace on the device whose name contains this, or which has this number or UUID in 'voxc devices', "
-          "or on cpu: this processor, without Vulkan")
+      .add("--device", deviceName_,
+           "Trace on the device whose name contains this, or which has this number or UUID in 'voxc "
+           "devices', or on cpu: this processor, without Vulkan")
       .takes("NAME")
       .suggests({"cpu", "llvmpipe"});
   command
@@ -83,11 +82,9 @@ TracerChoice TraceSession::choice() const {
 Expected<void> TraceSession::prepare(const Volume &volume, const Format &format, Json &figures) {
   TracerChoice choice = this->choice();
   choice.format = format;
-  auto opened = openTracerOn(volume, choice);
-  if (!opened)
-    return opened.error();
-  addSetupFigures(figures, *opened);
-  tracer_ = std::move(opened->tracer);
+  auto opened = VOXC_TRY(openTracerOn(volume, choice));
+  addSetupFigures(figures, opened);
+  tracer_ = std::move(opened.tracer);
   return {};
 }
 
@@ -100,10 +97,8 @@ Expected<TraceReport> TraceSession::trace(const RaySpan &rays, std::span<Hit> hi
 
 Expected<void> TraceSession::trace(const RaySpan &rays, std::span<Hit> hits, const TraceOptions &options,
                                    Json &figures) {
-  Expected<TraceReport> report = trace(rays, hits, options);
-  if (!report)
-    return report.error();
-  addTraceFigures(figures, *report, countsOf(hits), deviceInfo().name, options.countSteps);
+  auto report = VOXC_TRY(trace(rays, hits, options));
+  addTraceFigures(figures, report, countsOf(hits), deviceInfo().name, options.countSteps);
   addPagingFigures(figures);
   return {};
 }

@@ -41,10 +41,8 @@ Expected<void> TracingDevices::open(const CommonOptions &common) {
     std::vector<std::string> arguments = givenOptions(*command_, options);
     if (!name.empty())
       arguments.push_back(std::string(kDevice) + "=" + name);
-    if (Expected<void> parsed = options.parse(arguments); !parsed)
-      return parsed;
-    if (Expected<void> opened = tracing.openDevice(common); !opened)
-      return opened;
+    VOXC_TRY(options.parse(arguments));
+    VOXC_TRY(tracing.openDevice(common));
   }
   return {};
 }

@@ -8,12 +8,10 @@ namespace voxc::tool {
 Expected<void> TraceSession::preparePages(const PagedVolume &volume, const Format &format,
                                           PagingOptions options, Json &figures) {
   options.threads = threads_;
-  auto opened = openTracerOn(volume, format, choice(), options);
-  if (!opened)
-    return opened.error();
-  addSetupFigures(figures, *opened);
-  paged_ = opened->tracer.get();
-  tracer_ = std::move(opened->tracer);
+  auto opened = VOXC_TRY(openTracerOn(volume, format, choice(), options));
+  addSetupFigures(figures, opened);
+  paged_ = opened.tracer.get();
+  tracer_ = std::move(opened.tracer);
   return {};
 }
 

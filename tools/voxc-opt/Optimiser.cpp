@@ -31,17 +31,13 @@ Expected<void> Optimiser::runPart(const SourceText &part, std::string &output) {
   instrumentation_.beginInput(part, firstWord(part.text), options_.verifiesDiagnostics ? &found_ : nullptr);
   if (options_.verifiesDiagnostics)
     return runExpecting(part, output);
-  const Expected<std::string> text = optimise(part);
-  if (!text)
-    return text.error();
-  output += (output.empty() ? "" : std::string(kSplitMarker) + "\n") + *text;
+  const auto text = VOXC_TRY(optimise(part));
+  output += (output.empty() ? "" : std::string(kSplitMarker) + "\n") + text;
   return {};
 }
 
 Expected<void> Optimiser::runExpecting(const SourceText &part, std::string &output) {
-  const Expected<ExpectedDiagnostics> expected = ExpectedDiagnostics::read(part);
-  if (!expected)
-    return expected.error();
+  const auto expected = VOXC_TRY(ExpectedDiagnostics::read(part));
   const Expected<std::string> text = optimise(part);
   if (!text && found_.empty()) // It is no diagnostic of the input.
     return text.error();
@@ -50,24 +46,21 @@ Expected<void> Optimiser::runExpecting(const SourceText &part, std::string &outp
       diagnostic.range = firstWord(part.text);
   if (text)
     output += (output.empty() ? "" : std::string(kSplitMarker) + "\n") + *text;
-  return expected->compare(found_);
+  return expected.compare(found_);
 }
 
 Expected<std::string> Optimiser::optimise(const SourceText &part) {
   const bool isPlan = isPlanText(part.text);
-  const Expected<PassPipeline> pipeline = pipelineFor(pipeline_, isPlan);
-  if (!pipeline)
-    return pipeline.error();
-  if (auto known = instrumentation_.check(pipeline->names()); !known)
-    return known.error();
+  const auto pipeline = VOXC_TRY(pipelineFor(pipeline_, isPlan));
+  VOXC_TRY(instrumentation_.check(pipeline.names()));
   if (!isPlan)
-    return optimiseFormat(part, *pipeline);
+    return optimiseFormat(part, pipeline);
   Diagnostics diagnostics;
   Plan plan = parsePlan(part.text, diagnostics);
   keep(diagnostics);
   if (diagnostics.hasErrors())
     return toError(diagnostics, part);
-  return optimisePlan(std::move(plan), *pipeline);
+  return optimisePlan(std::move(plan), pipeline);
 }
 
 Expected<std::string> Optimiser::optimiseFormat(const SourceText &part, const PassPipeline &pipeline) {
@@ -80,8 +73,7 @@ Expected<std::string> Optimiser::optimiseFormat(const SourceText &part, const Pa
     return toError(diagnostics, part);
   format.source = std::make_shared<const SourceText>(part);
   const PipelineOptions options = passOptions();
-  if (auto passed = runPasses(format, pipeline.ofFormats, options, PassOrder::AsWritten); !passed)
-    return passed.error();
+  VOXC_TRY(runPasses(format, pipeline.ofFormats, options, PassOrder::AsWritten));
   if (pipeline.lowers)
     if (std::optional<Plan> plan = lowerToPlan(format, {}, options))
       return optimisePlan(std::move(*plan), pipeline);
@@ -89,8 +81,7 @@ Expected<std::string> Optimiser::optimiseFormat(const SourceText &part, const Pa
 }
 
 Expected<std::string> Optimiser::optimisePlan(Plan plan, const PassPipeline &pipeline) {
-  if (auto passed = runPlanPasses(plan, pipeline.ofPlans, passOptions()); !passed)
-    return passed.error();
+  VOXC_TRY(runPlanPasses(plan, pipeline.ofPlans, passOptions()));
   return printPlan(plan);
 }
 

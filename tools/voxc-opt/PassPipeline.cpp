@@ -37,12 +37,10 @@ Error misplaced(std::string_view pass, const char *where) {
 
 Expected<void> addPass(PassPipeline &pipeline, const std::string &written) {
   if (findPass(written)) {
-    const Expected<std::string> text = passText(written);
-    if (!text)
-      return text.error();
+    const auto text = VOXC_TRY(passText(written));
     if (pipeline.lowers || !pipeline.ofPlans.empty())
-      return misplaced(*text, "runs over formats, and stands behind lower or a pass over plans");
-    pipeline.ofFormats.push_back(*text);
+      return misplaced(text, "runs over formats, and stands behind lower or a pass over plans");
+    pipeline.ofFormats.push_back(text);
     return {};
   }
   const std::string name = written.ends_with("{}") ? written.substr(0, written.size() - 2) : written;
@@ -91,8 +89,7 @@ Expected<PassPipeline> parsePipeline(std::string_view text) {
     const std::string_view pass = firstPass(text);
     if (withoutBlanks(pass).empty())
       return Error::usage("the pipeline has a comma with no pass beside it");
-    if (auto added = addPass(pipeline, std::string(withoutBlanks(pass))); !added)
-      return added.error();
+    VOXC_TRY(addPass(pipeline, std::string(withoutBlanks(pass))));
     isLast = pass.size() == text.size();
     text.remove_prefix(std::min(pass.size() + 1, text.size()));
   }
@@ -102,10 +99,8 @@ Expected<PassPipeline> parsePipeline(std::string_view text) {
 Expected<PassPipeline> pipelineOf(const std::vector<std::string> &ofFormats, bool lowers) {
   PassPipeline pipeline{.lowers = lowers};
   for (const std::string &name : ofFormats) {
-    const Expected<std::string> text = passText(name);
-    if (!text)
-      return text.error();
-    pipeline.ofFormats.push_back(*text);
+    const auto text = VOXC_TRY(passText(name));
+    pipeline.ofFormats.push_back(text);
   }
   if (lowers)
     pipeline.ofPlans = allOfPlans();

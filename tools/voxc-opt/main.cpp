@@ -65,8 +65,8 @@ void declare(const CommandLine &command, Options &options) {
   command.addFlag("--split-input-file", options.optimiser.splits,
                   "Run each part of the input by itself; parts are divided by lines '// -----'");
   command.addFlag("--verify-diagnostics", options.optimiser.verifiesDiagnostics,
-                  "Fail unless the diagnostics are those that comments expect: // expected-error "
-                  "@+1 {{part of the message}}");
+                  "Fail unless the diagnostics are those that comments expect: // expected-error @+1 {{part "
+                  "of the message}}");
   command.addFlag("--lower", options.lower, "Go on to the plan, and run the passes over plans");
   command
       .add("--pass-pipeline", options.pipeline,
@@ -107,21 +107,17 @@ Expected<void> optimise(const Options &options) {
     std::fputs(options.description().c_str(), stdout);
     return {};
   }
-  const Expected<PassPipeline> pipeline = chosenPipeline(options);
-  if (!pipeline)
-    return pipeline.error();
+  const auto pipeline = VOXC_TRY(chosenPipeline(options));
   if (options.dumpsPipeline)
-    std::fprintf(stderr, "%s\n", pipeline->text().c_str());
-  const Expected<std::string> text = readText(options.input);
-  if (!text)
-    return text.error();
+    std::fprintf(stderr, "%s\n", pipeline.text().c_str());
+  const auto text = VOXC_TRY(readText(options.input));
   const std::string name = options.input == "-"            ? "<stdin>"
                            : isFormatString(options.input) ? "format"
                                                            : options.input;
   Instrumentation instrumentation(options.instrumentation);
   std::string output;
   const Expected<void> done =
-      Optimiser(options.optimiser, *pipeline, instrumentation).run({name, *text}, output);
+      Optimiser(options.optimiser, pipeline, instrumentation).run({name, text}, output);
   std::fputs(output.c_str(), stdout);
   const Expected<void> written = instrumentation.finish();
   return done ? written : done;

@@ -36,9 +36,8 @@ void addOptions(const CommandLine &command, Options &options) {
   command.add("--kernel", options.kernel, "Its kernel, from voxc compile").required().takes("KERNEL.spv");
   command
       .add("--rays", options.rays,
-           "Rays to trace: float32 origin and direction, 24 bytes each, or a file of version 2, with "
-           "bounds, for a "
-           "kernel for such; without them a picture is taken")
+           "Rays to trace: float32 origin and direction, 24 bytes each, or a file of version 2, with bounds, "
+           "for a kernel for such; without them a picture is taken")
       .takes("RAYS.bin");
   command
       .add("-o,--output", options.output,
@@ -50,8 +49,8 @@ void addOptions(const CommandLine &command, Options &options) {
   command.addFlag("--count", options.count, "Count each ray's lookups; of a picture as with --repeat");
   command
       .add("--repeat", options.repeat,
-           "Trace so often; the speeds are those of the fastest time; a picture is flat then, unless "
-           "--style says")
+           "Trace so often; the speeds are those of the fastest time; a picture is flat then, unless --style "
+           "says")
       .between(1u, 1000000u);
   command
       .add("--device", options.device,
@@ -86,23 +85,18 @@ auto tracingInto(RayTally &tally, Tracer &tracer, RayOrder order) {
                                   const TraceOptions &options) -> Expected<void> {
     TraceOptions how = options;
     how.order = order;
-    const Expected<TraceReport> report = tracer.trace(rays, hits, how);
-    if (!report)
-      return report.error();
-    tally.add(rays, hits, *report, options.countSteps);
+    const auto report = VOXC_TRY(tracer.trace(rays, hits, how));
+    tally.add(rays, hits, report, options.countSteps);
     return {};
   };
 }
 
 /// Traces the rays of a file, and writes their hits.
 Expected<void> traceRays(const Options &options, Tracer &tracer, RayTally &tally, const Progress &progress) {
-  const auto file = readRayFile(options.rays);
-  if (!file)
-    return file.error();
-  std::vector<Hit> hits(file->rays().size());
+  const auto file = VOXC_TRY(readRayFile(options.rays));
+  std::vector<Hit> hits(file.rays().size());
   const TraceOptions how{.countSteps = options.count, .repeat = options.repeat, .progress = progress};
-  if (auto traced = tracingInto(tally, tracer, rayOrderFrom(options.order))(file->rays(), hits, how); !traced)
-    return traced;
+  VOXC_TRY(tracingInto(tally, tracer, rayOrderFrom(options.order))(file.rays(), hits, how));
   return writeHits(options.output, hits);
 }
 
@@ -117,14 +111,13 @@ Expected<void> takePicture(const Options &options, const Volume &volume, Tracer 
     how.countSteps |= options.count;
     return tracingInto(tally, tracer, order)(rays, hits, how);
   };
-  const auto taken = tool::takePicture(options.picture, volume, {camera, other}, other, 0, bar.progress());
-  if (!taken)
-    return taken.error();
+  const auto taken =
+      VOXC_TRY(tool::takePicture(options.picture, volume, {camera, other}, other, 0, bar.progress()));
   bar.clear();
-  if (const auto warning = cameraWarning(*taken, volume); warning && !options.common.quiet)
+  if (const auto warning = cameraWarning(taken, volume); warning && !options.common.quiet)
     printNote("warning: " + *warning);
-  addCameraFigures(figures, options.picture, taken->placed, volume);
-  return writeTaken(options.output, *taken);
+  addCameraFigures(figures, options.picture, taken.placed, volume);
+  return writeTaken(options.output, taken);
 }
 
 /// The times of every repeat, for who wants more than the fastest.
@@ -140,35 +133,24 @@ void addRounds(Json &figures, const std::vector<TraceTime> &times) {
 }
 
 Expected<void> run(const CommandLine &command, const Options &options) {
-  if (auto usage = checkUsage(command, options); !usage)
-    return usage;
+  VOXC_TRY(checkUsage(command, options));
   Stopwatch loading;
-  auto volume = Volume::load(options.volume, {.trusted = options.trusted});
-  if (!volume)
-    return volume.error();
-  auto kernel = Kernel::load(options.kernel);
-  if (!kernel)
-    return kernel.error();
+  auto volume = VOXC_TRY(Volume::load(options.volume, {.trusted = options.trusted}));
+  auto kernel = VOXC_TRY(Kernel::load(options.kernel));
   Json figures;
-  addVolumeFigures(figures, *volume);
+  addVolumeFigures(figures, volume);
   figures["load_seconds"] = loading.seconds();
-  auto device = Device::open(options.device);
-  if (!device)
-    return device.error();
+  auto device = VOXC_TRY(Device::open(options.device));
   Stopwatch upload;
-  auto tracer = createTracer(*device, *kernel, *volume);
-  if (!tracer)
-    return tracer.error();
+  auto tracer = VOXC_TRY(createTracer(device, kernel, volume));
   figures["upload_seconds"] = upload.seconds();
   RayTally tally;
   ProgressBar bar(options.common.quiet);
-  auto done = options.rays.empty() ? takePicture(options, *volume, **tracer, tally, bar, figures)
-                                   : traceRays(options, **tracer, tally, bar.progress());
-  if (!done)
-    return done;
-  tally.addFigures(figures, device->info().name);
-  figures["driver"] = device->info().driver;
-  figures["device_kind"] = device->info().kind;
+  VOXC_TRY(options.rays.empty() ? takePicture(options, volume, *tracer, tally, bar, figures)
+                                : traceRays(options, *tracer, tally, bar.progress()));
+  tally.addFigures(figures, device.info().name);
+  figures["driver"] = device.info().driver;
+  figures["device_kind"] = device.info().kind;
   addRounds(figures, tally.times());
   return writeStatistics(options.common.stats, std::move(figures));
 }

@@ -24,28 +24,22 @@ using Arguments = std::span<const std::string>;
 constexpr std::uint64_t kSeed = 1;
 
 Expected<std::string> convert(Arguments arguments) {
-  const auto volume = Volume::load(arguments[0]);
-  if (!volume)
-    return volume.error();
-  const auto exported = exportVoxels(*volume, arguments[1]);
-  if (!exported)
-    return exported.error();
-  std::string told = std::to_string(volume->info().voxels) + " voxels";
-  for (const std::string &warning : exported->warnings)
+  const auto volume = VOXC_TRY(Volume::load(arguments[0]));
+  const auto exported = VOXC_TRY(exportVoxels(volume, arguments[1]));
+  std::string told = std::to_string(volume.info().voxels) + " voxels";
+  for (const std::string &warning : exported.warnings)
     told += "; " + warning;
   return told;
 }
 
 Expected<std::string> writeRays(Arguments arguments) {
-  const auto volume = Volume::load(arguments[0]);
-  if (!volume)
-    return volume.error();
+  const auto volume = VOXC_TRY(Volume::load(arguments[0]));
   const std::string &digits = arguments[1];
   std::size_t count = 0;
   const auto [end, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
   if (failure != std::errc() || end != digits.data() + digits.size())
     return Error::usage("'" + digits + "' is no number of rays");
-  const std::vector<Ray> rays = verifyRays(volume->info().extent, count, kSeed);
+  const std::vector<Ray> rays = verifyRays(volume.info().extent, count, kSeed);
   const auto bytes = std::as_bytes(std::span(rays));
   if (auto written = writeFile(arguments[2], {reinterpret_cast<const char *>(bytes.data()), bytes.size()});
       !written)
@@ -59,56 +53,38 @@ Expected<RayFile> readRays(const std::string &path) {
 }
 
 Expected<std::vector<Hit>> hitsOf(const Volume &volume, const std::string &kernelPath, RaySpan rays) {
-  const auto kernel = loadKernel(kernelPath);
-  if (!kernel)
-    return kernel.error();
-  auto tracer = createCpuTracer(*kernel, volume);
-  if (!tracer)
-    return tracer.error();
+  const auto kernel = VOXC_TRY(loadKernel(kernelPath));
+  auto tracer = VOXC_TRY(createCpuTracer(kernel, volume));
   std::vector<Hit> hits(rays.size());
-  const auto report = (*tracer)->trace(rays, hits);
+  const auto report = tracer->trace(rays, hits);
   return report ? Expected<std::vector<Hit>>(std::move(hits)) : report.error();
 }
 
 Expected<std::string> trace(Arguments arguments) {
-  const auto volume = Volume::load(arguments[0]);
-  if (!volume)
-    return volume.error();
-  const auto file = readRays(arguments[2]);
-  if (!file)
-    return file.error();
-  const auto hits = hitsOf(*volume, arguments[1], file->rays());
-  if (!hits)
-    return hits.error();
-  const auto bytes = std::as_bytes(std::span(*hits));
+  const auto volume = VOXC_TRY(Volume::load(arguments[0]));
+  const auto file = VOXC_TRY(readRays(arguments[2]));
+  const auto hits = VOXC_TRY(hitsOf(volume, arguments[1], file.rays()));
+  const auto bytes = std::as_bytes(std::span(hits));
   if (auto written = writeFile(arguments[3], {reinterpret_cast<const char *>(bytes.data()), bytes.size()});
       !written)
     return written.error();
-  return std::to_string(std::ranges::count_if(*hits, &Hit::isHit)) + " of " + std::to_string(hits->size()) +
+  return std::to_string(std::ranges::count_if(hits, &Hit::isHit)) + " of " + std::to_string(hits.size()) +
          " rays hit";
 }
 
 Expected<std::string> verify(Arguments arguments) {
-  const auto volume = Volume::load(arguments[0]);
-  if (!volume)
-    return volume.error();
-  const auto file = readRays(arguments[2]);
-  if (!file)
-    return file.error();
-  const auto hits = hitsOf(*volume, arguments[1], file->rays());
-  if (!hits)
-    return hits.error();
-  const auto oracle = Oracle::of(*volume);
-  if (!oracle)
-    return oracle.error();
-  const ErrorFigures figures = compare(*oracle, file->rays(), *hits);
+  const auto volume = VOXC_TRY(Volume::load(arguments[0]));
+  const auto file = VOXC_TRY(readRays(arguments[2]));
+  const auto hits = VOXC_TRY(hitsOf(volume, arguments[1], file.rays()));
+  const auto oracle = VOXC_TRY(Oracle::of(volume));
+  const ErrorFigures figures = compare(oracle, file.rays(), hits);
   const std::string rays = std::to_string(figures.rays) + " rays";
   if (!figures.clean())
     return Error::input(std::to_string(figures.differences()) + " of " + rays +
                         " have another hit than the oracle's");
   if (figures.maxUlpDt > 0)
     return Error::input("of " + rays + " all have the oracle's hit, but not all its t");
-  return rays + ", " + std::to_string(std::ranges::count_if(*hits, &Hit::isHit)) +
+  return rays + ", " + std::to_string(std::ranges::count_if(hits, &Hit::isHit)) +
          " hits, all as the oracle has them, to the bit of t";
 }
 

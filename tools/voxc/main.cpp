@@ -146,10 +146,9 @@ int main(int count, char **given) {
   program.footer("'voxc COMMAND --help' says more. To begin with: voxc run builtin:terrain -o terrain.png");
 
   if (argc > 1 && isStrayOption(program, argv[1])) {
-    printError(
-        Error::usage("'" + std::string(argv[1]) +
-                     "' is no option of voxc itself; a command comes first, such as 'voxc run', and 'voxc "
-                     "--help' lists them"));
+    printError(Error::usage("'" + std::string(argv[1]) +
+                            "' is no option of voxc itself; a command comes first, such as 'voxc run', and "
+                            "'voxc --help' lists them"));
     return exitCode(ErrorKind::Usage);
   }
   if (argc > 1 && isUnknownCommand(argv[1])) {
@@ -157,9 +156,9 @@ int main(int count, char **given) {
     return exitCode(ErrorKind::Usage);
   }
   if (argc > 1 && isLackingCommand(program, argv[1])) {
-    printError(Error::usage("'" + std::string(argv[1]) +
-                            "' is a command of an application, and this build has none; one with "
-                            "-DVOXC_APPS=ON has"));
+    printError(Error::usage(
+        "'" + std::string(argv[1]) +
+        "' is a command of an application, and this build has none; one with -DVOXC_APPS=ON has"));
     return exitCode(ErrorKind::Usage);
   }
   return runTool(program, argc, argv, [&]() -> Expected<void> {

@@ -242,8 +242,7 @@ inline constexpr std::string_view kFixedArray =
 /// To follow the level that numbers should lead to.
 inline constexpr std::string_view kMisplacedNumbers =
     " has short pointers, which lead to the last level alone: masked(2, 2, 2) below another masked level, "
-    "with "
-    "payload=occupancy, payload=constant or values=apart";
+    "with payload=occupancy, payload=constant or values=apart";
 
 /// How many times as long a ray takes as its steps and the words that are read say.
 double lookUpFactor(std::span<const Stratum> strata);

@@ -27,7 +27,8 @@ struct Error {
   static Error interrupted() { return {ErrorKind::Interrupted, "interrupted"}; }
 };
 
-/// A `Value`, or the `Error` that prevented it. Test before use: `if (!result) return result.error();`
+/// A `Value`, or the `Error` that prevented it. Test before use: `if (!result) return result.error();`, which
+/// `VOXC_TRY` does.
 template <typename Value> class [[nodiscard]] Expected {
 public:
   Expected(Value value) : state_(std::in_place_index<0>, std::move(value)) {}
@@ -58,4 +59,22 @@ private:
   std::optional<Error> error_;
 };
 
+/// What `VOXC_TRY` takes out of a result that is no error.
+template <typename Result> auto unwrap(Result &&result) {
+  if constexpr (requires { *std::forward<Result>(result); })
+    return *std::forward<Result>(result);
+}
+
 } // namespace voxc
+
+/// The value of an `Expected`, or, if it has none, a return of its error from the function that this stands
+/// in: `const Mesh mesh = VOXC_TRY(readMesh(path));`. To stand alone, behind `=` or behind `return`, and
+/// within no larger expression, whose other values a return would leave behind. A statement expression: g++
+/// and Clang have them.
+#define VOXC_TRY(...)                                                                                        \
+  __extension__({                                                                                            \
+    auto &&voxcResult = (__VA_ARGS__);                                                                       \
+    if (!voxcResult) [[unlikely]]                                                                            \
+      return voxcResult.error();                                                                             \
+    voxc::unwrap(std::forward<decltype(voxcResult)>(voxcResult));                                            \
+  })

@@ -60,8 +60,7 @@ public:
   /// voxc.
   Expected<void> run(Ir &ir, const PipelineOptions &options) const {
     for (const Pass &pass : passes_)
-      if (auto done = runPass(pass, ir, options); !done)
-        return done;
+      VOXC_TRY(runPass(pass, ir, options));
     return {};
   }
 

@@ -135,8 +135,7 @@ public:
   /// Sets the number of values; new ones are zero. Errors: as `WorkingMemory::allocate`.
   Expected<void> resize(std::uint64_t size) {
     if (size * sizeof(T) > block_.size())
-      if (auto grown = grow(size); !grown)
-        return grown;
+      VOXC_TRY(grow(size));
     if (size < size_)
       std::memset(static_cast<void *>(data() + size), 0, (size_ - size) * sizeof(T));
     size_ = size;
@@ -148,8 +147,7 @@ public:
       return {};
     const std::uint64_t size = size_ + values.size();
     if (size * sizeof(T) > block_.size())
-      if (auto grown = grow(size); !grown)
-        return grown;
+      VOXC_TRY(grow(size));
     std::memcpy(static_cast<void *>(data() + size_), values.data(), values.size_bytes());
     size_ = size;
     return {};
@@ -164,10 +162,7 @@ private:
     const std::uint64_t bytes = std::max(wanted, kSmallestBytes);
     if (block_.data())
       return memory_->resize(block_, bytes);
-    auto block = memory_->allocate(bytes);
-    if (!block)
-      return block.error();
-    block_ = std::move(*block);
+    block_ = VOXC_TRY(memory_->allocate(bytes));
     return {};
   }
 

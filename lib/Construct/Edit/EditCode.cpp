@@ -8,19 +8,15 @@
 namespace voxc {
 
 Expected<EditCode> EditCode::compile(const Format &format, const CompileCache *cache) {
-  auto plan = makePlan(format);
-  if (!plan)
-    return plan.error();
-  if (const std::string reason = whyNoEdits(plan->layout); !reason.empty())
+  auto plan = VOXC_TRY(makePlan(format));
+  if (const std::string reason = whyNoEdits(plan.layout); !reason.empty())
     return Error::input("the format " + toString(format) + " cannot be edited: " + reason);
-  const std::string text = emitEdit(*plan);
+  const std::string text = emitEdit(plan);
   std::vector<MemoryFile> files = {{"edit.cpp", text}};
   for (const EmbeddedFile &header : constructHeaders())
     files.push_back({std::string(header.path), header.text});
-  auto compiled = JitCode::compile(files, {.optimisation = 1}, cache, toString(format));
-  if (!compiled)
-    return compiled.error();
-  EditCode code(std::move(*compiled));
+  auto compiled = VOXC_TRY(JitCode::compile(files, {.optimisation = 1}, cache, toString(format)));
+  EditCode code(std::move(compiled));
   auto bytes = code.code_.find("voxc_edit_bytes"), begin = code.code_.find("voxc_edit_begin"),
        edit = code.code_.find("voxc_edit");
   for (const auto *const found : {&bytes, &begin, &edit})

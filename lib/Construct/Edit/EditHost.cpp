@@ -3,8 +3,6 @@
 
 #include "Construct/Serve.h"
 
-#include <algorithm>
-#include <new>
 #include <unordered_set>
 
 namespace voxc {

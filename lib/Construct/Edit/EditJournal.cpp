@@ -34,14 +34,12 @@ Expected<journal::Contents> contentsFor(const std::string &volumePath, std::span
   auto contents = journal::parse(file, path);
   if (!contents || contents->records.empty()) // One without edits is none, of whatever file it was begun for.
     return contents ? Expected<journal::Contents>(journal::Contents{}) : contents;
-  const auto identity = journal::identityOf(volumePath);
-  if (!identity)
-    return identity.error();
-  if (contents->identity == *identity)
+  const auto identity = VOXC_TRY(journal::identityOf(volumePath));
+  if (contents->identity == identity)
     return contents;
   const auto isOfThis = [&](const journal::Record &record) {
-    return record.kind == journal::RecordKind::Closed && record.bytes.size() == sizeof *identity &&
-           std::memcmp(record.bytes.data(), identity->data(), sizeof *identity) == 0;
+    return record.kind == journal::RecordKind::Closed && record.bytes.size() == sizeof identity &&
+           std::memcmp(record.bytes.data(), identity.data(), sizeof identity) == 0;
   };
   if (!contents->records.empty() && isOfThis(contents->records.back()))
     return journal::Contents{};
@@ -93,13 +91,11 @@ Expected<EditJournal> EditJournal::open(const std::string &volumePath) {
   auto summary = summarizeVolume(volumePath);
   if (summary &&
       std::ranges::find(summary->streams, kFrameStream, &StreamSummary::name) != summary->streams.end())
-    return Error::input("'" + volumePath +
-                        "' has frames, which a journal cannot tell apart; --frame N with -o edits "
-                        "one of them");
+    return Error::input(
+        "'" + volumePath +
+        "' has frames, which a journal cannot tell apart; --frame N with -o edits one of them");
   const auto identity =
-      summary ? journal::identityOf(volumePath) : Expected<journal::Identity>(summary.error());
-  if (!identity)
-    return identity.error();
+      VOXC_TRY(summary ? journal::identityOf(volumePath) : Expected<journal::Identity>(summary.error()));
   const std::string path = journalPathOf(volumePath);
   EditJournal journal(path, ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
   if (journal.file_ < 0)
@@ -108,22 +104,17 @@ Expected<EditJournal> EditJournal::open(const std::string &volumePath) {
     return Error::environment("another process writes '" + path + "'; try again when it has ended");
   if (!hasName(journal.file_, path))
     return open(volumePath);
-  auto text = readAll(journal.file_, path);
-  if (!text)
-    return text.error();
-  const auto contents = contentsFor(volumePath, std::as_bytes(std::span(text->data(), text->size())));
-  if (!contents)
-    return contents.error();
+  auto text = VOXC_TRY(readAll(journal.file_, path));
+  const auto contents = VOXC_TRY(contentsFor(volumePath, std::as_bytes(std::span(text.data(), text.size()))));
   journal.info_ = std::move(summary->info);
-  journal.transactions_ = contents->records.size();
-  if (::ftruncate(journal.file_, static_cast<off_t>(contents->end)) != 0)
+  journal.transactions_ = contents.records.size();
+  if (::ftruncate(journal.file_, static_cast<off_t>(contents.end)) != 0)
     return cannotWrite(path);
-  if (contents->end > 0)
+  if (contents.end > 0)
     return journal;
   journal::Head head = journal::kHead;
-  head.identity = *identity;
-  if (auto begun = journal.write(std::string(reinterpret_cast<const char *>(&head), sizeof head)); !begun)
-    return begun.error();
+  head.identity = identity;
+  VOXC_TRY(journal.write(std::string(reinterpret_cast<const char *>(&head), sizeof head)));
   syncFolderOf(path);
   return journal;
 }
@@ -141,21 +132,16 @@ Expected<void> EditJournal::write(const std::string &record) {
 }
 
 Expected<void> EditJournal::append(const std::vector<VoxelEdit> &edits) {
-  if (auto checked = checkEdits(edits, info_.extent); !checked)
-    return checked;
-  const auto bytes = journal::editsText(edits);
-  if (!bytes)
-    return bytes.error();
-  auto written = write(journal::recordText(journal::RecordKind::Edits, transactions_, *bytes));
+  VOXC_TRY(checkEdits(edits, info_.extent));
+  const auto bytes = VOXC_TRY(journal::editsText(edits));
+  auto written = write(journal::recordText(journal::RecordKind::Edits, transactions_, bytes));
   transactions_ += written ? 1 : 0;
   return written;
 }
 
 Expected<void> EditJournal::close(const std::string &compacted) {
-  const auto identity = journal::identityOf(compacted);
-  if (!identity)
-    return identity.error();
-  const std::string bytes(reinterpret_cast<const char *>(identity->data()), sizeof *identity);
+  const auto identity = VOXC_TRY(journal::identityOf(compacted));
+  const std::string bytes(reinterpret_cast<const char *>(identity.data()), sizeof identity);
   auto written = write(journal::recordText(journal::RecordKind::Closed, transactions_, bytes));
   transactions_ += written ? 1 : 0;
   return written;
@@ -167,13 +153,9 @@ Expected<std::vector<VoxelEdit>> readJournal(const std::string &volumePath) {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored))
     return edits;
-  auto file = MappedFile::open(path);
-  if (!file)
-    return file.error();
-  const auto contents = contentsFor(volumePath, file->bytes());
-  if (!contents)
-    return contents.error();
-  for (const journal::Record &record : contents->records)
+  auto file = VOXC_TRY(MappedFile::open(path));
+  const auto contents = VOXC_TRY(contentsFor(volumePath, file.bytes()));
+  for (const journal::Record &record : contents.records)
     if (record.kind == journal::RecordKind::Edits)
       if (auto parsed = journal::parseEdits(record.bytes, edits); !parsed)
         return Error::input("'" + path + "' is broken: " + parsed.error().message);
@@ -186,24 +168,19 @@ namespace {
 Expected<Volume> edited(Volume volume, const std::vector<VoxelEdit> &edits, const LoadOptions &options,
                         const CompileCache *cache) {
   if (!whyNoEdits(volume.layout()).empty()) {
-    auto constructor = Constructor::compile(volume.format(), cache);
-    if (!constructor)
-      return constructor.error();
+    auto constructor = VOXC_TRY(Constructor::compile(volume.format(), cache));
     BuildOptions building;
     building.memory = options.memory;
     building.progress = options.progress;
     building.provenance = volume.info().provenance;
-    auto built = constructor->edit(std::make_shared<const Volume>(std::move(volume)), edits, building);
+    auto built = constructor.edit(std::make_shared<const Volume>(std::move(volume)), edits, building);
     return built ? Expected<Volume>(std::move(built->volume)) : built.error();
   }
-  auto editable =
-      EditableVolume::create(volume, {.memory = options.memory, .cache = cache, .shareWithFirst = false});
-  if (!editable)
-    return editable.error();
+  auto editable = VOXC_TRY(
+      EditableVolume::create(volume, {.memory = options.memory, .cache = cache, .shareWithFirst = false}));
   for (const VoxelEdit &edit : edits)
-    if (auto applied = editable->apply(*makeChange(edit)); !applied)
-      return applied.error();
-  return editable->view(editable->snapshot());
+    VOXC_TRY(editable.apply(*makeChange(edit)));
+  return editable.view(editable.snapshot());
 }
 
 } // namespace
@@ -214,12 +191,10 @@ Expected<Volume> loadEdited(const std::string &path, const LoadOptions &options,
   auto volume = Volume::load(path, loading);
   if (!volume)
     return volume;
-  const auto edits = readJournal(path);
-  if (!edits)
-    return edits.error();
-  if (auto checked = checkEdits(*edits, volume->info().extent); !checked)
+  const auto edits = VOXC_TRY(readJournal(path));
+  if (auto checked = checkEdits(edits, volume->info().extent); !checked)
     return Error::input("'" + journalPathOf(path) + "' is broken: " + checked.error().message);
-  return edits->empty() ? std::move(volume) : edited(std::move(*volume), *edits, options, cache);
+  return edits.empty() ? std::move(volume) : edited(std::move(*volume), edits, options, cache);
 }
 
 } // namespace voxc

@@ -16,13 +16,10 @@ constexpr std::uint64_t kJoinedWords = 64;
 Expected<std::unique_ptr<EditStore>> EditStore::create(std::span<const std::uint32_t> words,
                                                        const Layout &layout,
                                                        const std::shared_ptr<WorkingMemory> &memory) {
-  auto store = WordStore::createShared(memory, layout.maxWords());
-  if (!store)
-    return store.error();
-  if (auto appended = store->append(words.subspan(1)); !appended)
-    return appended.error();
-  store->setRoot(words[0]);
-  std::unique_ptr<EditStore> result(new EditStore(std::move(*store), layout, memory));
+  auto store = VOXC_TRY(WordStore::createShared(memory, layout.maxWords()));
+  VOXC_TRY(store.append(words.subspan(1)));
+  store.setRoot(words[0]);
+  std::unique_ptr<EditStore> result(new EditStore(std::move(store), layout, memory));
   result->known_ = words.size();
   return result;
 }

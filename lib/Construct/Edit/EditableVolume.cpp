@@ -43,21 +43,16 @@ EditableVolume &EditableVolume::operator=(EditableVolume &&) noexcept = default;
 
 Expected<EditableVolume> EditableVolume::create(const Volume &volume, const EditableOptions &options) {
   const Stopwatch watch;
-  auto code = EditCode::compile(volume.format(), options.cache);
-  if (!code)
-    return code.error();
+  auto code = VOXC_TRY(EditCode::compile(volume.format(), options.cache));
   auto memory = options.memory ? options.memory : WorkingMemory::createDefault();
-  std::unique_ptr<State> state(new State{
-      .info = volume.info(), .layout = volume.layout(), .memory = memory, .code = std::move(*code)});
+  std::unique_ptr<State> state(
+      new State{.info = volume.info(), .layout = volume.layout(), .memory = memory, .code = std::move(code)});
   state->compileSeconds = watch.seconds();
   state->cache = options.cache;
   state->firstWords = volume.words().size();
   for (const Frame &frame : framesOf(volume))
     state->frames.push_back({frame.root, frame.voxels});
-  auto store = EditStore::create(volume.words(), state->layout, memory);
-  if (!store)
-    return store.error();
-  state->store = std::move(*store);
+  state->store = VOXC_TRY(EditStore::create(volume.words(), state->layout, memory));
   if (!state->frames.empty())
     state->store->seal();
   state->host = std::make_unique<EditHost>(*state->store, state->layout, state->info.extent);
@@ -113,12 +108,10 @@ std::shared_ptr<const Volume> EditableVolume::volume() {
 }
 
 Expected<Volume> EditableVolume::view(const Snapshot &snapshot) {
-  auto words = state_->store->view(snapshot.root);
-  if (!words)
-    return words.error();
-  const std::span<const std::uint32_t> span(reinterpret_cast<const std::uint32_t *>(words->data()),
+  auto words = VOXC_TRY(state_->store->view(snapshot.root));
+  const std::span<const std::uint32_t> span(reinterpret_cast<const std::uint32_t *>(words.data()),
                                             state_->store->words().size());
-  return state_->asVolume(span, snapshot.voxels, std::make_shared<const MemoryBlock>(std::move(*words)));
+  return state_->asVolume(span, snapshot.voxels, std::make_shared<const MemoryBlock>(std::move(words)));
 }
 
 std::vector<EditableVolume::Snapshot> EditableVolume::frames() const { return state_->frames; }
@@ -129,10 +122,8 @@ Expected<Volume> EditableVolume::framed(const std::vector<Snapshot> &states) {
     std::vector<Frame> frames;
   };
   state_->store->seal();
-  auto words = state_->store->view(states.front().root);
-  if (!words)
-    return words.error();
-  const auto held = std::make_shared<Held>(Held{std::move(*words), {}});
+  auto words = VOXC_TRY(state_->store->view(states.front().root));
+  const auto held = std::make_shared<Held>(Held{std::move(words), {}});
   for (const Snapshot &state : states)
     held->frames.push_back({state.root, 0, state.voxels});
   const std::span<const std::uint32_t> span(reinterpret_cast<const std::uint32_t *>(held->words.data()),
@@ -152,10 +143,8 @@ bool EditableVolume::wantsCompaction() const { return words() > state_->firstWor
 
 BuildResult EditableVolume::compact(const BuildOptions &options) const {
   if (!state_->constructor) {
-    auto constructor = Constructor::compile(state_->info.format, state_->cache);
-    if (!constructor)
-      return constructor.error();
-    state_->constructor.emplace(std::move(*constructor));
+    auto constructor = VOXC_TRY(Constructor::compile(state_->info.format, state_->cache));
+    state_->constructor.emplace(std::move(constructor));
   }
   const auto volume = std::make_shared<const Volume>(
       state_->asVolume(state_->store->words(), state_->info.voxels, state_->store));

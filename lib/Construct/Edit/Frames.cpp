@@ -20,12 +20,10 @@ public:
     for (std::size_t i = 1; i < count; ++i) {
       if (options_.progress.stopped())
         return Error::interrupted();
-      auto next = open_(i);
-      if (!next)
-        return next.error();
-      if (auto added = add(*first, **next); !added)
+      auto next = VOXC_TRY(open_(i));
+      if (auto added = add(*first, *next); !added)
         return Error{added.error().kind, "frame " + std::to_string(i + 1) + ": " + added.error().message};
-      first = std::move(*next);
+      first = std::move(next);
     }
     return {};
   }
@@ -38,13 +36,10 @@ private:
     const Int3 extent = after.extent(), most = volume_.volume()->info().extent;
     if (extent.x > most.x || extent.y > most.y || extent.z > most.z)
       return Error::input("it is larger than the first, and would be cut off");
-    auto voxels = differenceOf(before, after);
-    if (!voxels)
-      return voxels.error();
-    const std::uint64_t changed = voxels->size(), words = volume_.words();
+    auto voxels = VOXC_TRY(differenceOf(before, after));
+    const std::uint64_t changed = voxels.size(), words = volume_.words();
     if (changed != 0)
-      if (auto applied = volume_.apply(*makeListChange(std::move(*voxels))); !applied)
-        return applied.error();
+      VOXC_TRY(volume_.apply(*makeListChange(std::move(voxels))));
     if (volume_.words() > options_.maxWords)
       return Error::input("with it the volume has " + std::to_string(volume_.words()) +
                           " words, more than were allowed");
@@ -64,10 +59,8 @@ Expected<Built> buildFirst(const Format &format, VoxelSource &source, BuildOptio
                            const CompileCache *cache) {
   options.path.clear(); // What is written is the volume of all frames.
   options.compress = false;
-  const auto constructor = Constructor::compile(format, cache);
-  if (!constructor)
-    return constructor.error();
-  return constructor->build(source, options);
+  const auto constructor = VOXC_TRY(Constructor::compile(format, cache));
+  return constructor.build(source, options);
 }
 
 } // namespace
@@ -76,32 +69,23 @@ Expected<BuiltFrames> buildFrames(const Format &format, std::size_t count, const
                                   const BuildOptions &options, const CompileCache *cache) {
   if (const std::string reason = whyNoEdits(layoutOf(format)); !reason.empty())
     return Error::input("frames are edits of one another; " + reason);
-  auto first = open(0);
-  if (!first)
-    return first.error();
-  auto built = buildFirst(format, **first, options, cache);
-  if (!built)
-    return built.error();
-  auto volume = EditableVolume::create(built->volume, {.memory = options.memory, .cache = cache});
-  if (!volume)
-    return volume.error();
-  std::vector<FrameReport> reports{{volume->voxels(), volume->voxels(), volume->words()}};
-  FrameEdits edits(*volume, open, options);
-  if (auto edited = edits.run(std::move(*first), count); !edited)
-    return edited.error();
+  auto first = VOXC_TRY(open(0));
+  auto built = VOXC_TRY(buildFirst(format, *first, options, cache));
+  auto volume = VOXC_TRY(EditableVolume::create(built.volume, {.memory = options.memory, .cache = cache}));
+  std::vector<FrameReport> reports{{volume.voxels(), volume.voxels(), volume.words()}};
+  FrameEdits edits(volume, open, options);
+  VOXC_TRY(edits.run(std::move(first), count));
   for (const FrameReport &report : edits.takeReports())
     reports.push_back(report);
-  auto framed = volume->framed(edits.states());
-  if (!framed)
-    return framed.error();
+  auto framed = VOXC_TRY(volume.framed(edits.states()));
   if (!options.path.empty())
-    if (auto saved = framed->save(options.path, {.compress = options.compress,
-                                                 .threads = options.threads,
-                                                 .memory = options.memory,
-                                                 .progress = options.progress});
+    if (auto saved = framed.save(options.path, {.compress = options.compress,
+                                                .threads = options.threads,
+                                                .memory = options.memory,
+                                                .progress = options.progress});
         !saved)
       return saved.error();
-  return BuiltFrames{std::move(*framed), std::move(built->report), std::move(reports)};
+  return BuiltFrames{std::move(framed), std::move(built.report), std::move(reports)};
 }
 
 } // namespace voxc

@@ -6,7 +6,6 @@
 
 #include <cstring>
 #include <filesystem>
-#include <limits>
 #include <utility>
 
 #include <sys/mman.h>
@@ -92,10 +91,8 @@ Expected<std::shared_ptr<const Volume>> volumeOf(std::span<const std::byte> file
   const MemoryFile memory;
   if (!memory.write(file))
     return Error::environment("there is no memory for a volume that was pasted");
-  auto volume = Volume::load(memory.path(), {.withoutJournal = true});
-  if (!volume)
-    return volume.error();
-  return std::make_shared<const Volume>(std::move(*volume));
+  auto volume = VOXC_TRY(Volume::load(memory.path(), {.withoutJournal = true}));
+  return std::make_shared<const Volume>(std::move(volume));
 }
 
 } // namespace
@@ -130,11 +127,9 @@ Expected<Contents> parse(std::span<const std::byte> file, const std::string &pat
 }
 
 Expected<Identity> identityOf(const std::string &volumePath) {
-  auto file = MappedFile::open(volumePath);
-  if (!file)
-    return file.error();
+  auto file = VOXC_TRY(MappedFile::open(volumePath));
   Identity identity{};
-  auto bytes = file->bytes();
+  auto bytes = file.bytes();
   if (bytes.size() < kIdentityAt + sizeof identity)
     return Error::input("'" + volumePath + "' is not a .hvx volume");
   std::memcpy(&identity, bytes.data() + kIdentityAt, sizeof identity);
@@ -144,15 +139,13 @@ Expected<Identity> identityOf(const std::string &volumePath) {
 Expected<std::string> editsText(const std::vector<VoxelEdit> &edits) {
   std::string bytes;
   for (const VoxelEdit &edit : edits) {
-    auto pasted = edit.pasted ? fileOf(*edit.pasted) : Expected<std::string>(std::string());
-    if (!pasted)
-      return pasted.error();
+    auto pasted = VOXC_TRY(edit.pasted ? fileOf(*edit.pasted) : Expected<std::string>(std::string()));
     add(bytes, EditHead{{edit.low.x, edit.low.y, edit.low.z},
                         {edit.size.x, edit.size.y, edit.size.z},
                         edit.word,
                         0,
-                        pasted->size()});
-    bytes += *pasted;
+                        pasted.size()});
+    bytes += pasted;
   }
   return bytes;
 }
@@ -165,10 +158,7 @@ Expected<void> parseEdits(std::span<const std::byte> bytes, std::vector<VoxelEdi
     VoxelEdit edit{
         {head.low[0], head.low[1], head.low[2]}, {head.size[0], head.size[1], head.size[2]}, head.word, {}};
     if (head.pastedBytes > 0) {
-      auto pasted = volumeOf(bytes.first(static_cast<std::size_t>(head.pastedBytes)));
-      if (!pasted)
-        return pasted.error();
-      edit.pasted = std::move(*pasted);
+      edit.pasted = VOXC_TRY(volumeOf(bytes.first(static_cast<std::size_t>(head.pastedBytes))));
       edit.size = edit.pasted->info().extent;
       bytes = bytes.subspan(static_cast<std::size_t>(head.pastedBytes));
     }

@@ -3,7 +3,6 @@
 #include "Glsl/Visit.h"
 
 #include <algorithm>
-#include <iterator>
 #include <optional>
 #include <utility>
 

@@ -83,9 +83,8 @@ const TypedAttribute<VoxelCountsOf> kCountsAttribute = {
     {.name = "counts",
      .effect = AttributeEffect::Storage,
      .values = kEnumNames<VoxelCountsOf>,
-     .summary =
-         "which sub-volumes whose numbers stand in a grid of 4 x 4 x 4 have a count of the voxels before "
-         "theirs: each, or the first of each octant of eight, where masks give the rest",
+     .summary = "which sub-volumes whose numbers stand in a grid of 4 x 4 x 4 have a count of the voxels "
+                "before theirs: each, or the first of each octant of eight, where masks give the rest",
      .needs = &kPointersAttribute},
     as<VoxelCountsOf>};
 
@@ -102,8 +101,8 @@ const TypedAttribute<Descent> kTraversalAttribute = {
     {.name = "traversal",
      .effect = AttributeEffect::Traversal,
      .values = kTraversalValues,
-     .summary = "how a lookup finds its node: from the last lookup's ancestors on a stack, from "
-                "the root each time, or by a loop for each height",
+     .summary = "how a lookup finds its node: from the last lookup's ancestors on a stack, from the root "
+                "each time, or by a loop for each height",
      .excludes = kTraversalExcludes},
     [](std::size_t value) { return static_cast<Descent>(value + 2); }};
 

@@ -8,7 +8,6 @@
 #include <array>
 #include <bzlib.h>
 #include <cstring>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -138,14 +137,12 @@ Expected<std::uint64_t> countBytes(ByteStream &stream, std::uint64_t most, const
   for (std::uint64_t count = 0;;) {
     if (progress.stopped())
       return Error::interrupted();
-    const auto read = stream.readSome(some);
-    if (!read)
-      return read.error();
-    count += *read;
+    const auto read = VOXC_TRY(stream.readSome(some));
+    count += read;
     if (count > most)
       return Error::input("its data are more than the " + std::to_string(most) +
                           " bytes that they should be, with what they may skip");
-    if (*read < some.size())
+    if (read < some.size())
       return count;
   }
 }
@@ -156,11 +153,9 @@ Expected<void> skipBytes(ByteStream &stream, std::uint64_t count, const Progress
     if (progress.stopped())
       return Error::interrupted();
     const std::size_t now = static_cast<std::size_t>(std::min<std::uint64_t>(some.size(), count - done));
-    const auto read = stream.readSome(std::span(some).first(now));
-    if (!read)
-      return read.error();
-    done += *read;
-    if (*read < now)
+    const auto read = VOXC_TRY(stream.readSome(std::span(some).first(now)));
+    done += read;
+    if (read < now)
       return Error::input("its data end within the " + std::to_string(count) + " bytes that it skips");
   }
   return {};
@@ -188,13 +183,10 @@ Expected<void> appendBytes(ByteStream &stream, std::uint64_t count, ScratchArray
     if (progress.stopped())
       return Error::interrupted();
     const std::size_t now = static_cast<std::size_t>(std::min<std::uint64_t>(kStep, count - done));
-    if (auto sized = target.resize(begin + done + now); !sized)
-      return sized.error();
-    const auto read = stream.readSome(target.span().subspan(begin + done, now));
-    if (!read)
-      return read.error();
-    done += *read;
-    if (*read < now)
+    VOXC_TRY(target.resize(begin + done + now));
+    const auto read = VOXC_TRY(stream.readSome(target.span().subspan(begin + done, now)));
+    done += read;
+    if (read < now)
       return tooFew(done, count);
     memory.relieve(now);
   }

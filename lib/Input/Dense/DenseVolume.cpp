@@ -12,7 +12,6 @@
 #include "Source/DenseSource.h"
 #include "Source/GridExtent.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -44,12 +43,10 @@ Expected<void> findThreshold(DenseVolume &volume, const Histogram &histogram, co
   constexpr double kBackground = 0.3; // Of the samples that are not 0: some of them are background then.
   if (map.threshold || share <= kBackground || histogram.range.low >= histogram.range.high)
     return {};
-  const auto labels = countLabels(volume, options);
-  if (!labels)
-    return labels.error();
-  if (*labels || volume.areLabels) {
+  const auto labels = VOXC_TRY(countLabels(volume, options));
+  if (labels || volume.areLabels) {
     volume.notes.push_back("its samples look like labels" +
-                           (*labels ? ", " + std::to_string(**labels) + " beside 0" : std::string()) +
+                           (labels ? ", " + std::to_string(*labels) + " beside 0" : std::string()) +
                            "; all but 0 are voxels (--threshold takes those from a value up, --colour-map "
                            "labels keeps their numbers)");
     return {};
@@ -115,43 +112,32 @@ Expected<Histogram> lookAt(const DenseVolume &volume, const SampleMap &map, cons
   Histogram nothing;
   if (!look.range && !look.histogram)
     return nothing;
-  const auto range = rangeOf(volume, map, options);
-  if (!range)
-    return range.error();
+  const auto range = VOXC_TRY(rangeOf(volume, map, options));
   if (look.histogram)
-    return histogramOf(volume, map, *range, options);
-  nothing.range = *range;
+    return histogramOf(volume, map, range, options);
+  nothing.range = range;
   return nothing;
 }
 
 Expected<SampleMap> mapOf(DenseVolume &volume, const InputOptions &options, std::vector<InputFact> &facts) {
-  if (auto checked = checkThreshold(options.threshold); !checked)
-    return checked.error();
+  VOXC_TRY(checkThreshold(options.threshold));
   SampleMap map{.slope = volume.slope, .intercept = volume.intercept, .threshold = options.threshold};
-  const auto histogram = lookAt(volume, map, options);
-  if (!histogram)
-    return histogram.error();
+  const auto histogram = VOXC_TRY(lookAt(volume, map, options));
   if (options.describe)
-    facts = factsOf(volume, *histogram);
+    facts = factsOf(volume, histogram);
   map.labels = options.colourMap == kLabels;
   if (options.keepsSamples)
     map.kept = keptAs(volume);
-  if (auto fits = checkKept(map.kept, histogram->range); !fits)
-    return fits.error();
+  VOXC_TRY(checkKept(map.kept, histogram.range));
   const bool isColoured = !map.labels && !options.keepsSamples;
   if (options.isAutomatic && isColoured)
-    if (auto found = findThreshold(volume, *histogram, options, map); !found)
-      return found.error();
+    VOXC_TRY(findThreshold(volume, histogram, options, map));
   if (map.threshold || (options.isAutomatic && isColoured))
-    warnOfThreshold(volume, *histogram, map);
+    warnOfThreshold(volume, histogram, map);
   if (!isColoured)
     return map;
-  auto colours = colourMap(options.colourMap);
-  if (!colours)
-    return colours.error();
-  map.colours = *colours;
-  if (auto filled = fillWindow(histogram->range, options, map); !filled)
-    return filled.error();
+  map.colours = VOXC_TRY(colourMap(options.colourMap));
+  VOXC_TRY(fillWindow(histogram.range, options, map));
   return map;
 }
 
@@ -189,8 +175,7 @@ Expected<SampleMap> lookOf(DenseVolume &volume, const InputOptions &options, Inp
       input.provenance = provenanceOf(*map, options);
     return map;
   }
-  if (auto checked = checkColours(options); !checked)
-    return checked.error();
+  VOXC_TRY(checkColours(options));
   if (options.describe)
     input.facts = factsOf(volume);
   input.provenance = "coverage=cells" + volumeProvenance(options) + upProvenance(options);
@@ -220,8 +205,7 @@ std::array<std::int64_t, 3> stepsOf(const DenseVolume &volume) {
 }
 
 Expected<std::uint64_t> sampleBytes(Int3 extent, SampleLayout layout) {
-  if (auto possible = checkGridExtent(extent); !possible)
-    return possible.error();
+  VOXC_TRY(checkGridExtent(extent));
   const std::uint64_t cells = cellsOf(extent);
   constexpr std::uint64_t kMost = std::uint64_t{1} << 59;
   if (cells > kMost)
@@ -239,34 +223,24 @@ Transform mapOfSteps(const std::array<std::array<double, 3>, 3> &steps, const st
 
 Expected<Input> makeInput(DenseVolume volume, const InputOptions &options) {
   Input input;
-  const auto map = lookOf(volume, options, input);
-  if (!map)
-    return map.error();
+  const auto map = VOXC_TRY(lookOf(volume, options, input));
   input.warnings = std::move(volume.warnings);
   input.notes = std::move(volume.notes);
-  const auto side = sideOf(volume, options);
-  if (!side)
-    return side.error();
+  const auto side = VOXC_TRY(sideOf(volume, options));
   Resampled cells{volume.extent, nullptr, volume.sampleToModel};
-  if (*side > 0) {
-    auto resampled = resample(std::move(volume), *map, *side, options);
-    if (!resampled)
-      return resampled.error();
-    cells = std::move(*resampled);
-    input.provenance += gridProvenance(*side, options);
+  if (side > 0) {
+    cells = VOXC_TRY(resample(std::move(volume), map, side, options));
+    input.provenance += gridProvenance(side, options);
   } else {
-    cells.rows = makeRows(std::move(volume), *map);
+    cells.rows = makeRows(std::move(volume), map);
   }
   if (options.zUp) {
     cells.rows = turnUpright(std::move(cells.rows), cells.extent.y);
     cells.voxelToModel = turnUpright(cells.voxelToModel, cells.extent.y);
     cells.extent = {cells.extent.x, cells.extent.z, cells.extent.y};
   }
-  auto source = makeDenseSource(cells.extent, std::move(cells.rows), cells.voxelToModel, options.memory,
-                                options.progress);
-  if (!source)
-    return source.error();
-  input.source = std::move(*source);
+  input.source = VOXC_TRY(makeDenseSource(cells.extent, std::move(cells.rows), cells.voxelToModel,
+                                          options.memory, options.progress));
   return input;
 }
 

@@ -41,10 +41,8 @@ GzipReader::~GzipReader() {
 }
 
 Expected<void> GzipReader::read(std::span<std::byte> target) {
-  const auto count = readSome(target);
-  if (!count)
-    return count.error();
-  return *count == target.size() ? Expected<void>() : Error::input("its compressed data ends too soon");
+  const auto count = VOXC_TRY(readSome(target));
+  return count == target.size() ? Expected<void>() : Error::input("its compressed data ends too soon");
 }
 
 Expected<std::size_t> GzipReader::readSome(std::span<std::byte> target) {
@@ -83,15 +81,13 @@ Expected<std::shared_ptr<const InflatedBytes>> GzipReader::read(std::uint64_t co
     return Error::input("its " + std::to_string(bytes_.size()) + " compressed bytes cannot hold the " +
                         std::to_string(count) + " that its header speaks of");
   auto inflated = std::make_shared<InflatedBytes>(memory);
-  if (auto sized = inflated->resize(count); !sized)
-    return sized.error();
+  VOXC_TRY(inflated->resize(count));
   constexpr std::uint64_t kStep = std::uint64_t{1} << 18;
   for (std::uint64_t done = 0; done < count; done += kStep) {
     progress.at("inflate", static_cast<double>(done) / static_cast<double>(count));
     if (progress.stopped())
       return Error::interrupted();
-    if (auto filled = read(inflated->span().subspan(done, std::min(kStep, count - done))); !filled)
-      return filled.error();
+    VOXC_TRY(read(inflated->span().subspan(done, std::min(kStep, count - done))));
     memory->relieve();
   }
   return std::shared_ptr<const InflatedBytes>(std::move(inflated));

@@ -257,13 +257,10 @@ Expected<NiftiHeader> readFields(std::span<const std::byte> bytes, const Reader 
                         ", which is neither a number of 8 to 64 bits nor a colour of bytes");
   header.layout = {type->type, isBigEndian};
   header.channels = type->channels;
-  if (auto read = readDimensions(reader, header); !read)
-    return read.error();
+  VOXC_TRY(readDimensions(reader, header));
   if (!header.isAnalyze && header.channels == 1)
-    if (auto read = readScale(reader, header); !read)
-      return read.error();
-  if (auto read = readDataOffset(reader, header); !read)
-    return read.error();
+    VOXC_TRY(readScale(reader, header));
+  VOXC_TRY(readDataOffset(reader, header));
   readMap(reader, header);
   readIntent(reader, header);
   readExtensions(bytes, reader, header);

@@ -93,8 +93,7 @@ Expected<NpyHeader> readNpyHeader(std::span<const std::byte> bytes) {
              shape = valueOf(fields, "shape");
   if (!type || !order || !shape || !readShape(*shape, header))
     return Error::input("its header needs the keys descr, fortran_order and shape");
-  if (auto read = readType(*type, header); !read)
-    return read.error();
+  VOXC_TRY(readType(*type, header));
   header.isFortran = order->starts_with("True");
   return header;
 }

@@ -130,14 +130,12 @@ void tellOthers(const NrrdFields &fields, const Axes &axes, NrrdHeader &header) 
 
 Expected<void> fillAxes(const NrrdFields &fields, bool picksVolume, NrrdHeader &header,
                         std::array<int, 3> &order) {
-  if (auto checked = checkSizes(fields); !checked)
-    return checked;
+  VOXC_TRY(checkSizes(fields));
   const Axes axes(fields);
   order = {-1, -1, -1};
   header.extent = {1, 1, 1};
   const bool isPossible = placeAxes(fields, axes, picksVolume, header, order);
-  if (auto size = sampleBytes(header.extent, header.layout); !size)
-    return size.error();
+  VOXC_TRY(sampleBytes(header.extent, header.layout));
   if (!isPossible)
     return Error::input("its sizes make no samples at all, or more than any file has");
   tellOthers(fields, axes, header);

@@ -52,10 +52,8 @@ Expected<std::uint64_t> skipOf(const NrrdHeader &header, std::span<const std::by
                         " is too large; compressed data may skip " + std::to_string(kMost));
   if (header.byteSkip >= 0)
     return static_cast<std::uint64_t>(header.byteSkip);
-  const auto all = countBytes(*streamOf(header, data), size + kMost, options.progress);
-  if (!all)
-    return all.error();
-  return *all - std::min(size, *all);
+  const auto all = VOXC_TRY(countBytes(*streamOf(header, data), size + kMost, options.progress));
+  return all - std::min(size, all);
 }
 
 /// The samples as they lie in the file.
@@ -80,18 +78,14 @@ Expected<void> appendFile(const NrrdHeader &header, std::span<const std::byte> d
     return Error::input("its data end within the " + std::to_string(header.byteSkip) +
                         " bytes that it skips");
   const auto skip =
-      isDigits ? Expected<std::uint64_t>(std::uint64_t{0}) : skipOf(header, data, size, options);
-  if (!skip)
-    return skip.error();
+      VOXC_TRY(isDigits ? Expected<std::uint64_t>(std::uint64_t{0}) : skipOf(header, data, size, options));
   if (isDigits)
     data = data.subspan(static_cast<std::size_t>(header.byteSkip));
   const auto stream = streamOf(header, data);
-  if (*skip > stream->mostBytes())
-    return Error::input("its data cannot have the " + std::to_string(*skip) + " bytes that it skips");
-  if (auto skipped = skipBytes(*stream, *skip, options.progress); !skipped)
-    return skipped;
-  if (auto appended = appendBytes(*stream, size, cells, *options.memory, options.progress); !appended)
-    return appended;
+  if (skip > stream->mostBytes())
+    return Error::input("its data cannot have the " + std::to_string(skip) + " bytes that it skips");
+  VOXC_TRY(skipBytes(*stream, skip, options.progress));
+  VOXC_TRY(appendBytes(*stream, size, cells, *options.memory, options.progress));
   // Of many files that all have more, once is enough.
   if (warnings.empty())
     warnings = saysBehind(*stream);
@@ -109,18 +103,14 @@ Expected<NrrdData> readNrrdData(const NrrdHeader &header, std::shared_ptr<const 
   for (std::size_t i = 0; i < files; ++i) {
     std::span<const std::byte> data = behind;
     if (!header.dataFiles.empty()) {
-      auto opened = WatchedFile::open(std::filesystem::path(folder) / header.dataFiles[i], options.memory);
-      if (!opened)
-        return opened.error();
-      file = std::move(*opened);
+      file = VOXC_TRY(WatchedFile::open(std::filesystem::path(folder) / header.dataFiles[i], options.memory));
       data = file->bytes();
     }
     if (!skipLines(data, header.lineSkip))
       return Error::input("its data have fewer lines than it skips");
     if (files == 1 && header.encoding == NrrdEncoding::Raw)
       return mapSamples(header, data, std::move(file));
-    if (auto appended = appendFile(header, data, header.bytes / files, options, cells, warnings); !appended)
-      return appended.error();
+    VOXC_TRY(appendFile(header, data, header.bytes / files, options, cells, warnings));
   }
   const std::byte *const samples = cells.data();
   return NrrdData{samples, std::make_shared<const Cells>(std::move(cells)), std::move(warnings)};

@@ -323,8 +323,7 @@ Expected<NrrdFields> readNrrdFields(std::string_view &text) {
     const std::string_view line = takeLine(text, lineEnd);
     if (line.empty())
       return fields;
-    if (auto read = readField(fields, line, seen); !read)
-      return read.error();
+    VOXC_TRY(readField(fields, line, seen));
     if (fields.dataFile.starts_with("LIST") && fields.dataFiles.empty()) {
       readList(fields, text, lineEnd);
       return fields;

@@ -136,8 +136,7 @@ Expected<void> readFiles(const NrrdFields &fields, NrrdHeader &header) {
       return Error::input("its data file is a LIST, but no names follow");
     header.dataFiles = fields.dataFiles;
   } else if (const auto pattern = patternOf(fields.dataFile)) {
-    if (auto read = readPattern(*pattern, header); !read)
-      return read;
+    VOXC_TRY(readPattern(*pattern, header));
   } else if (!fields.dataFile.empty()) {
     header.dataFiles = {fields.dataFile};
   }
@@ -161,35 +160,31 @@ std::string saysKeys(const std::vector<std::string> &keys) {
 } // namespace
 
 Expected<NrrdHeader> readNrrdHeader(std::string_view &text, bool picksVolume) {
-  const auto fields = readNrrdFields(text);
-  if (!fields)
-    return fields.error();
-  if (!fields->type || fields->sizes.empty() || !fields->encoding)
+  const auto fields = VOXC_TRY(readNrrdFields(text));
+  if (!fields.type || fields.sizes.empty() || !fields.encoding)
     return Error::input("its header needs the fields type, dimension, sizes and encoding");
   NrrdHeader header;
-  header.encoding = *fields->encoding;
+  header.encoding = *fields.encoding;
   const bool isText = header.encoding == NrrdEncoding::Text;
-  if (byteSize(*fields->type) > 1 && fields->endian.empty() && !isText)
+  if (byteSize(*fields.type) > 1 && fields.endian.empty() && !isText)
     return Error::input("its header needs the field endian, since its samples have more than one byte");
   // Numbers in digits are made samples of this machine's order.
-  header.layout = {*fields->type, isText ? std::endian::native == std::endian::big : fields->endian == "big"};
+  header.layout = {*fields.type, isText ? std::endian::native == std::endian::big : fields.endian == "big"};
   std::array<int, 3> order{};
-  if (auto filled = fillAxes(*fields, picksVolume, header, order); !filled)
-    return filled.error();
-  header.lineSkip = fields->lineSkip;
-  header.byteSkip = fields->byteSkip;
+  VOXC_TRY(fillAxes(fields, picksVolume, header, order));
+  header.lineSkip = fields.lineSkip;
+  header.byteSkip = fields.byteSkip;
   if (header.byteSkip < 0 && (isText || header.encoding == NrrdEncoding::Hex))
     return Error::input("its byte skip of -1 does not go with samples in digits");
-  header.areLabels = fields->hasSegments;
-  readSpace(*fields, header);
-  readPlace(*fields, order, header);
-  if (auto read = readFiles(*fields, header); !read)
-    return read.error();
-  if (!fields->keys.empty())
-    header.warnings.push_back(saysKeys(fields->keys));
-  for (const std::string &name : fields->twice)
+  header.areLabels = fields.hasSegments;
+  readSpace(fields, header);
+  readPlace(fields, order, header);
+  VOXC_TRY(readFiles(fields, header));
+  if (!fields.keys.empty())
+    header.warnings.push_back(saysKeys(fields.keys));
+  for (const std::string &name : fields.twice)
     header.warnings.push_back("its field '" + name + "' is there more than once; the last holds");
-  for (const std::string &name : fields->unknown)
+  for (const std::string &name : fields.unknown)
     header.warnings.push_back("its field '" + name + "' is not known to voxc, and is left out");
   return header;
 }

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -194,31 +193,28 @@ std::array<double, 3> stepLengths(const Transform &sampleToModel) {
 
 Expected<Resampled> resample(DenseVolume volume, const SampleMap &map, double side,
                              const InputOptions &options) {
-  const auto axes = axesOf(volume, side, options);
-  if (!axes)
-    return axes.error();
+  const auto axes = VOXC_TRY(axesOf(volume, side, options));
   Resampled made;
-  made.extent = {(*axes)[0].cubes(), (*axes)[1].cubes(), (*axes)[2].cubes()};
+  made.extent = {axes[0].cubes(), axes[1].cubes(), axes[2].cubes()};
   Int3 holds = options.mostExtent();
   if (options.zUp)
     std::swap(holds.y, holds.z);
-  if (auto possible = checkGridExtent(made.extent); !possible)
-    return possible.error();
+  VOXC_TRY(checkGridExtent(made.extent));
   if (made.extent.x > holds.x || made.extent.y > holds.y || made.extent.z > holds.z)
     return Error::input("with voxels of side " + toText(side) + " it takes " + toText(made.extent) +
                         " voxels, but the format holds " + toText(holds) +
                         "; make the voxels larger or the format");
   made.voxelToModel = volume.sampleToModel;
   for (int axis = 0; axis < 3; ++axis) {
-    made.voxelToModel[3] += volume.sampleToModel[axis] * (*axes)[static_cast<std::size_t>(axis)].origin;
-    made.voxelToModel[axis] = volume.sampleToModel[axis] * (*axes)[static_cast<std::size_t>(axis)].side;
+    made.voxelToModel[3] += volume.sampleToModel[axis] * axes[static_cast<std::size_t>(axis)].origin;
+    made.voxelToModel[axis] = volume.sampleToModel[axis] * axes[static_cast<std::size_t>(axis)].side;
   }
   const bool isMeasured =
       volume.channels == 1 && map.threshold && !map.labels && map.kept == SampleMap::Kept::No;
   if (isMeasured)
-    made.rows = std::make_shared<MeanRows>(std::move(volume), map, *axes);
+    made.rows = std::make_shared<MeanRows>(std::move(volume), map, axes);
   else
-    made.rows = std::make_shared<NearestRows>(makeRows(std::move(volume), map), *axes);
+    made.rows = std::make_shared<NearestRows>(makeRows(std::move(volume), map), axes);
   return made;
 }
 

@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <charconv>
-#include <cmath>
 #include <cstring>
 #include <string>
 #include <string_view>
@@ -32,8 +30,7 @@ public:
       const int low = high < 0 ? high : nextDigit();
       if (high < 0 || low < 0)
         return Error::input(
-            "its data in hexadecimal digits have another character between them, or one digit "
-            "too few");
+            "its data in hexadecimal digits have another character between them, or one digit too few");
       target[i] = static_cast<std::byte>(high << 4 | low);
     }
     return target.size();

@@ -76,8 +76,7 @@ public:
       page_ = tiffPage(tiff_);
     } while ((tiffTag<std::uint32_t>(tiff_, TIFFTAG_SUBFILETYPE, 0) & kNoSlice) != 0 && ++leftOut_ > 0);
     ++pages_;
-    if (auto checked = checkPage(); !checked)
-      return checked.error();
+    VOXC_TRY(checkPage());
     tellPage();
     slice = slice_;
     return true;
@@ -96,8 +95,7 @@ public:
 
 private:
   Expected<void> checkPage() {
-    if (auto checked = checkSlice(page_.width, page_.height, memory_.bytes.size()); !checked)
-      return checked;
+    VOXC_TRY(checkSlice(page_.width, page_.height, memory_.bytes.size()));
     // Many pages may share the bytes of one.
     cells_ += std::uint64_t{page_.width} * page_.height;
     constexpr std::uint64_t kMostCellsAByte = 8400;

@@ -33,9 +33,8 @@ Expected<LasHeader> readLasHeader(std::span<const std::byte> bytes) {
     return Error::input("it ends within its head");
   const unsigned format = std::to_integer<unsigned>(bytes[kFormat]);
   if ((format & 0xc0) != 0)
-    return Error::input(
-        "its points are compressed by LASzip, which voxc does not read; save it as an uncompressed "
-        ".las or as .ply, for example by CloudCompare or 'las2las'");
+    return Error::input("its points are compressed by LASzip, which voxc does not read; save it as an "
+                        "uncompressed .las or as .ply, for example by CloudCompare or 'las2las'");
   header.format = format;
   header.stride = lasNumber<std::uint16_t>(bytes, kStride);
   if (format >= kFormatBytes.size() || header.stride < kFormatBytes[format])

@@ -152,8 +152,7 @@ private:
 Expected<std::unique_ptr<PointList>> readLasPoints(const LasHeader &header, WorkingMemory &memory,
                                                    const Progress &progress) {
   auto points = std::make_unique<LasPoints>(header);
-  if (auto looked = points->look(memory, progress); !looked)
-    return looked.error();
+  VOXC_TRY(points->look(memory, progress));
   return std::unique_ptr<PointList>(std::move(points));
 }
 

@@ -62,8 +62,7 @@ public:
   /// voxel outside its model; interrupted.
   template <typename Visit> Expected<void> forEach(const Progress &progress, Visit visit) const {
     for (const ScenePart &part : parts_)
-      if (auto visited = forEachOf(part, progress, visit); !visited)
-        return visited;
+      VOXC_TRY(forEachOf(part, progress, visit));
     return {};
   }
 

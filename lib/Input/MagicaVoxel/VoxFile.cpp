@@ -9,7 +9,6 @@
 #include <bit>
 #include <charconv>
 #include <cstring>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -289,8 +288,7 @@ Expected<VoxFile> readVoxFile(std::span<const std::byte> bytes, std::int32_t fra
     const auto chunk = cursor.take(content);
     cursor.take(children);
     if (!cursor.failed())
-      if (auto read = readChunk(name, chunk, reading); !read)
-        return read.error();
+      VOXC_TRY(readChunk(name, chunk, reading));
   }
   if (cursor.failed())
     return Error::input("a chunk reaches over its end");

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <set>
-#include <utility>
 
 namespace voxc {
 
@@ -25,8 +24,7 @@ public:
                             " nodes");
       const Step step = stack_.back();
       stack_.pop_back();
-      if (auto visited = visit(step); !visited)
-        return visited;
+      VOXC_TRY(visit(step));
     }
     return {};
   }
@@ -142,8 +140,7 @@ Expected<VoxScene> makeVoxScene(const VoxFile &file, std::optional<std::int32_t>
                         (scene.frames == 1 ? "is one" : "are " + std::to_string(scene.frames)));
   if (hasGraph) {
     SceneBuilder builder(file, scene);
-    if (auto built = builder.run(); !built)
-      return built.error();
+    VOXC_TRY(builder.run());
     builder.warn();
   } else {
     scene.instances.push_back({&file.models[static_cast<std::size_t>(frame.value_or(0))], {}});
@@ -158,8 +155,7 @@ Expected<VoxScene> makeVoxScene(const VoxFile &file, std::optional<std::int32_t>
                   : "it holds " + count + " models without a scene graph, the frames of an animation") +
         "; the first is taken, and another by a number behind the name, as in scene.vox#" + count);
   }
-  if (auto found = findBox(scene); !found)
-    return found.error();
+  VOXC_TRY(findBox(scene));
   return scene;
 }
 

@@ -20,8 +20,7 @@ Expected<std::uint64_t> countTwice(const VoxScene &scene, const std::shared_ptr<
     const auto &[x, y, z] = model->size;
     const auto cells = static_cast<std::uint64_t>(x * y * z);
     if (cells > colours.size())
-      if (auto sized = colours.resize(cells); !sized)
-        return sized.error();
+      VOXC_TRY(colours.resize(cells));
     const auto colourAt = [&](std::size_t at) -> std::byte & {
       const auto along = [&](std::size_t axis) {
         return std::to_integer<std::int64_t>(model->voxels[at + axis]);
@@ -46,11 +45,9 @@ Expected<std::uint64_t> countTwice(const VoxScene &scene, const std::shared_ptr<
 
 Expected<void> warnOfVoxelsTwice(const VoxScene &scene, const std::shared_ptr<WorkingMemory> &memory,
                                  std::vector<std::string> &warnings) {
-  const auto twice = countTwice(scene, memory);
-  if (!twice)
-    return twice.error();
-  if (*twice != 0)
-    warnings.push_back(countedAre(*twice, "voxel") + " left out, which a model has before in another colour");
+  const auto twice = VOXC_TRY(countTwice(scene, memory));
+  if (twice != 0)
+    warnings.push_back(countedAre(twice, "voxel") + " left out, which a model has before in another colour");
   return {};
 }
 

@@ -2,7 +2,6 @@
 #include "Input/Minecraft/BlockColours.h"
 #include "Input/Minecraft/BlockTables.h"
 
-#include <algorithm>
 #include <array>
 
 namespace voxc {

@@ -143,8 +143,7 @@ Expected<BlockBox> sizeOf(const NbtTag &schematic) {
       return lacks("tag " + std::string(kNames[axis]) + " with a number");
     size[axis] = *number & 0xffff;
   }
-  if (auto checked = checkSize(size); !checked)
-    return checked.error();
+  VOXC_TRY(checkSize(size));
   return size;
 }
 
@@ -184,13 +183,9 @@ Expected<void> readSponge(const NbtTag &schematic, BlockScene &scene, BlockPalet
   if (version < 1 || version > 3)
     return Error::input("it is a schematic of version " + std::to_string(version) + "; voxc reads 1 to 3");
   const NbtTag blocks = version == 3 ? schematic["Blocks"] : schematic;
-  const auto size = sizeOf(schematic);
-  if (!size)
-    return size.error();
-  auto words = wordsOf(blocks["Palette"], names);
-  if (!words)
-    return words.error();
-  BlockRegion region{.low = offsetOf(schematic["Offset"]), .size = *size, .words = std::move(*words)};
+  const auto size = VOXC_TRY(sizeOf(schematic));
+  auto words = VOXC_TRY(wordsOf(blocks["Palette"], names));
+  BlockRegion region{.low = offsetOf(schematic["Offset"]), .size = size, .words = std::move(words)};
   region.data = blocks[version == 3 ? "Data" : "BlockData"].array(NbtKind::ByteArray);
   noteTags(schematic, beside);
   const auto numbers = static_cast<std::uint64_t>(std::ranges::count_if(
@@ -226,8 +221,7 @@ Expected<void> readRegion(const NbtTag &tag, BlockScene &scene, BlockPalette &na
       region.low[axis] += (*size)[axis] + 1;
     }
   }
-  if (auto checked = checkSize(region.size); !checked)
-    return checked;
+  VOXC_TRY(checkSize(region.size));
   const NbtTag palette = tag["BlockStatePalette"];
   if (palette.kind() != NbtKind::List || palette.size() == 0)
     return lacks("BlockStatePalette of a region");
@@ -250,17 +244,15 @@ Expected<void> readRegion(const NbtTag &tag, BlockScene &scene, BlockPalette &na
 /// A schematic from before blocks had names.
 Expected<void> readOld(const NbtTag &schematic, BlockScene &scene, BlockPalette &names, Beside &beside,
                        const Progress &progress) {
-  const auto size = sizeOf(schematic);
-  if (!size)
-    return size.error();
-  BlockRegion region{.size = *size, .coding = BlockCoding::Bytes};
+  const auto size = VOXC_TRY(sizeOf(schematic));
+  BlockRegion region{.size = size, .coding = BlockCoding::Bytes};
   region.data = schematic["Blocks"].array(NbtKind::ByteArray);
   region.kinds = schematic["Data"].array(NbtKind::ByteArray);
   region.more = schematic["AddBlocks"].array(NbtKind::ByteArray);
   const auto count = static_cast<std::size_t>(region.count());
   if (region.data.size() != count || (!region.kinds.empty() && region.kinds.size() != count) ||
       (!region.more.empty() && region.more.size() < (count + 1) / 2))
-    return Error::input("its box of " + textOf(*size) + " blocks needs as many numbers, but there are " +
+    return Error::input("its box of " + textOf(size) + " blocks needs as many numbers, but there are " +
                         std::to_string(region.data.size()));
   constexpr std::size_t kNumbers = 4096 * 16;
   std::vector<bool> isUsed(kNumbers);
@@ -304,9 +296,9 @@ Expected<BlockScene> readBlockScene(const NbtTag &file, const Progress &progress
   const auto read =
       file["Regions"]                                  ? readRegions(file["Regions"], scene, names, beside)
       : schematic["Version"] || schematic["BlockData"] ? readSponge(schematic, scene, names, beside)
-      : schematic["Blocks"]                            ? readOld(schematic, scene, names, beside, progress)
-                            : lacks("blocks that voxc knows: a Sponge schematic, one of MCEdit, or "
-                                    "regions of Litematica");
+      : schematic["Blocks"]
+          ? readOld(schematic, scene, names, beside, progress)
+          : lacks("blocks that voxc knows: a Sponge schematic, one of MCEdit, or regions of Litematica");
   if (names.isStopped())
     return Error::interrupted();
   if (!read)

@@ -83,8 +83,7 @@ Expected<void> addSegment(std::span<const std::byte> &rest, std::vector<ListedGr
   nanovdb::FileHead head;
   if (!take(rest, head))
     return Error::input("it does not begin as NanoVDB files do");
-  if (auto checked = checkVersion(head.version); !checked)
-    return checked;
+  VOXC_TRY(checkVersion(head.version));
   if (head.grids == 0)
     return Error::input("it has no grid");
   std::vector<nanovdb::FileGrid> entries;
@@ -114,11 +113,9 @@ Expected<StoredGrid> inflate(const ListedGrid &grid, const std::shared_ptr<Worki
   if (!take(rest, size) || size > rest.size())
     return cutShort(rest.size(), size);
   GzipReader reader(rest.first(size), GzipReader::Wrapping::Zlib);
-  auto inflated = reader.read(grid.bytes, memory, progress);
-  if (!inflated)
-    return inflated.error();
-  const std::span<const std::byte> bytes = (*inflated)->span();
-  return StoredGrid{bytes, std::move(*inflated), {}, {}};
+  auto inflated = VOXC_TRY(reader.read(grid.bytes, memory, progress));
+  const std::span<const std::byte> bytes = inflated->span();
+  return StoredGrid{bytes, std::move(inflated), {}, {}};
 }
 
 /// A grid in chunks of at most a gigabyte, each with its size before it.
@@ -139,8 +136,7 @@ Expected<StoredGrid> inflateBlosc(const ListedGrid &grid, const std::shared_ptr<
     if (blosc_cbuffer_validate(rest.data(), size, &found) != 0 || found != chunk ||
         chunk / kMostPerByte > size)
       return Error::input("its data that Blosc compressed is damaged, or is not as large as its head says");
-    if (auto sized = inflated->resize(done + chunk); !sized)
-      return sized.error();
+    VOXC_TRY(inflated->resize(done + chunk));
     if (blosc_decompress_ctx(rest.data(), inflated->data() + done, chunk, 1) != static_cast<int>(chunk))
       return Error::input("its data that Blosc compressed is damaged");
     rest = rest.subspan(size);
@@ -190,21 +186,16 @@ Expected<std::vector<ListedGrid>> listNanoVdbGrids(std::span<const std::byte> by
         return Error::input("it does not begin as NanoVDB files do");
       break;
     }
-    if (auto added = addSegment(rest, grids); !added)
-      return added.error();
+    VOXC_TRY(addSegment(rest, grids));
   }
   return grids;
 }
 
 Expected<StoredGrid> findNanoVdbGrid(std::shared_ptr<const WatchedFile> file, const std::string &name,
                                      const std::shared_ptr<WorkingMemory> &memory, const Progress &progress) {
-  const auto grids = listNanoVdbGrids(file->bytes());
-  if (!grids)
-    return grids.error();
-  const auto chosen = choose(*grids, name);
-  if (!chosen)
-    return chosen.error();
-  const ListedGrid &grid = (*grids)[*chosen];
+  const auto grids = VOXC_TRY(listNanoVdbGrids(file->bytes()));
+  const auto chosen = VOXC_TRY(choose(grids, name));
+  const ListedGrid &grid = grids[chosen];
   Expected<StoredGrid> stored =
       Error::input("it is compressed in a way that is not known, number " + std::to_string(grid.codec));
   if (grid.codec == nanovdb::kBlosc)
@@ -218,9 +209,9 @@ Expected<StoredGrid> findNanoVdbGrid(std::shared_ptr<const WatchedFile> file, co
   if (!stored)
     return stored;
   stored->name = grid.name;
-  for (std::size_t i = 0; i < grids->size(); ++i)
-    if (i != *chosen)
-      stored->others.push_back(described((*grids)[i]));
+  for (std::size_t i = 0; i < grids.size(); ++i)
+    if (i != chosen)
+      stored->others.push_back(described(grids[i]));
   return stored;
 }
 

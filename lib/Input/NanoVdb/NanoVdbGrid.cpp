@@ -99,15 +99,13 @@ public:
     if (bytes_.size() < kHeads)
       return Error::input("its grid is cut short");
     const auto head = load<nanovdb::Grid>(bytes_.data());
-    if (auto read = readHead(head); !read)
-      return read;
+    VOXC_TRY(readHead(head));
     const auto tree = load<nanovdb::Tree>(bytes_.data() + sizeof head);
     const std::uint64_t root = tree.offsets[3];
     const std::uint64_t rest = bytes_.size() - sizeof head;
     if (root < sizeof tree || root > rest || grid_.kind_->rootBytes > rest - root)
       return Error::input("its root lies outside of it");
-    if (auto checked = checkRoot(sizeof head + root); !checked)
-      return checked;
+    VOXC_TRY(checkRoot(sizeof head + root));
     if (high_.x == kLeast)
       return {};
     grid_.low_ = low_;
@@ -159,12 +157,9 @@ private:
       if (entry.isActive)
         addBox(entry.low, nanovdb::kLog2Upper);
     } else {
-      auto upper = follow(root, tile.child, kUpperShape.bytes, uppers_);
-      if (!upper)
-        return upper.error();
-      entry.upper = *upper;
-      if (auto checked = checkUpper(*upper, entry.low); !checked)
-        return checked;
+      auto upper = VOXC_TRY(follow(root, tile.child, kUpperShape.bytes, uppers_));
+      entry.upper = upper;
+      VOXC_TRY(checkUpper(upper, entry.low));
     }
     grid_.root_.push_back(entry);
     return {};
@@ -180,12 +175,9 @@ private:
           addBox(childLow, nanovdb::kLog2Lower);
         continue;
       }
-      auto lower =
-          follow(node, load<std::int64_t>(kUpperShape.entry(node, slot)), kLowerShape.bytes, lowers_);
-      if (!lower)
-        return lower.error();
-      if (auto checked = checkLower(*lower, childLow); !checked)
-        return checked;
+      auto lower = VOXC_TRY(
+          follow(node, load<std::int64_t>(kUpperShape.entry(node, slot)), kLowerShape.bytes, lowers_));
+      VOXC_TRY(checkLower(lower, childLow));
     }
     return {};
   }
@@ -198,11 +190,9 @@ private:
           addBox(childLow, nanovdb::kLog2Leaf);
         continue;
       }
-      const auto leaf =
-          follow(node, load<std::int64_t>(kLowerShape.entry(node, slot)), grid_.kind_->leafBytes, leaves_);
-      if (!leaf)
-        return leaf.error();
-      addLeaf(*leaf, childLow);
+      const auto leaf = VOXC_TRY(
+          follow(node, load<std::int64_t>(kLowerShape.entry(node, slot)), grid_.kind_->leafBytes, leaves_));
+      addLeaf(leaf, childLow);
     }
     return {};
   }
@@ -250,8 +240,7 @@ private:
 
 Expected<NanoVdbGrid> NanoVdbGrid::open(std::span<const std::byte> bytes, const Progress &progress) {
   NanoVdbGrid grid;
-  if (auto checked = Checker(bytes, grid, progress).run(); !checked)
-    return checked.error();
+  VOXC_TRY(Checker(bytes, grid, progress).run());
   return grid;
 }
 

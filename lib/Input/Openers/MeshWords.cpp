@@ -25,8 +25,7 @@ Expected<void> showEmission(TriangleScene &scene) {
 
 /// The light that is given off in place of what is there: the float's bits, as bytes of a word.
 Expected<void> showStrength(TriangleScene &scene) {
-  if (auto shown = showEmission(scene); !shown)
-    return shown;
+  VOXC_TRY(showEmission(scene));
   for (Material &material : scene.materials) {
     const bool gives = material.emission != Material().emission;
     const std::uint32_t word = gives ? strengthWord(material.emissionStrength) : 0;

@@ -90,8 +90,7 @@ Expected<BinvoxHeader> readHeader(std::string_view &text) {
     if (line.ends_with('\r'))
       line.remove_suffix(1);
     if (line == "data") {
-      if (auto possible = checkGridExtent(header.extent); !possible)
-        return possible.error();
+      VOXC_TRY(checkGridExtent(header.extent));
       return header;
     }
     if (!readLine(line, header))
@@ -115,8 +114,7 @@ Expected<void> readRuns(std::string_view runs, std::uint64_t cells, Bits &bits, 
   if (cells / 255 > runs.size() / 2)
     return Error::input("its " + std::to_string(runs.size()) + " bytes of runs cannot hold " +
                         std::to_string(cells) + " voxels");
-  if (auto sized = bits.resize(cells / 64 + 1); !sized)
-    return sized;
+  VOXC_TRY(bits.resize(cells / 64 + 1));
   std::uint64_t done = 0;
   bool hasOther = false;
   for (; runs.size() >= 2 && done < cells; runs.remove_prefix(2)) {
@@ -163,15 +161,13 @@ std::vector<InputFact> factsOf(const BinvoxHeader &header, const Bits &bits) {
 
 Expected<Input> openBinvox(const std::string &path, const InputOptions &options) {
   const Stopwatch loading;
-  auto file = WatchedFile::open(path, options.memory);
-  if (!file)
-    return file.error();
+  auto file = VOXC_TRY(WatchedFile::open(path, options.memory));
   const auto broken = [&](const Error &error) {
     return error.kind == ErrorKind::Input
                ? Error::input("'" + path + "' is not a usable binvox file: " + error.message)
                : error;
   };
-  std::string_view text = (*file)->text();
+  std::string_view text = file->text();
   auto header = readHeader(text);
   if (!header)
     return broken(header.error());
@@ -190,10 +186,7 @@ Expected<Input> openBinvox(const std::string &path, const InputOptions &options)
     map = turnUpright(map, stored.y);
     extent = {stored.x, stored.z, stored.y};
   }
-  auto source = makeDenseSource(extent, std::move(rows), map, options.memory, options.progress);
-  if (!source)
-    return source.error();
-  input.source = std::move(*source);
+  input.source = VOXC_TRY(makeDenseSource(extent, std::move(rows), map, options.memory, options.progress));
   input.warnings = std::move(header->warnings);
   input.loadSeconds = loading.seconds();
   input.provenance = "coverage=voxels" + upProvenance(options);

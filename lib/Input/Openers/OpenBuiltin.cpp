@@ -21,12 +21,10 @@ Expected<Input> openBuiltin(const std::string &text, const InputOptions &options
   const int side =
       written.value_or(options.resolution > 0 ? options.resolution : longestAxis(options.formatExtent));
   const std::string name = text.substr(0, colon);
-  auto source = makeBuiltinSource(name, side);
-  if (!source)
-    return source.error();
+  auto source = VOXC_TRY(makeBuiltinSource(name, side));
   Input input;
   // Nobody asked for the size of a scene that merely fills the format, so what reaches over it is cut off.
-  input.source = isChosen ? std::move(*source) : clip(std::move(*source), options.formatExtent);
+  input.source = isChosen ? std::move(source) : clip(std::move(source), options.formatExtent);
   input.provenance = "builtin=" + name + ":" + std::to_string(side);
   if (options.describe)
     input.facts = {{"scene", name, {}}, countFact("resolution", static_cast<std::uint64_t>(side))};

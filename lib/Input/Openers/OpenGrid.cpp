@@ -18,11 +18,9 @@ Expected<Input> openGrid(const std::string &text, const InputOptions &options) {
   if (!extent || colon == std::string::npos)
     return Error::input("'grid:" + text +
                         "' is not a grid; write its size and file as in grid:64x33x32:FILE.raw");
-  auto source = loadGridSource(*extent, text.substr(colon + 1), options.memory, options.progress);
-  if (!source)
-    return source.error();
+  auto source = VOXC_TRY(loadGridSource(*extent, text.substr(colon + 1), options.memory, options.progress));
   Input input;
-  input.source = std::move(*source);
+  input.source = std::move(source);
   input.loadSeconds = loading.seconds();
   input.provenance = "grid=" + toText(*extent);
   return input;

@@ -13,35 +13,27 @@ namespace voxc {
 
 Expected<Input> openLas(const std::string &path, const InputOptions &given) {
   const Stopwatch loading;
-  const auto side = voxelSide(given, 0);
-  if (!side)
-    return side.error();
+  const auto side = VOXC_TRY(voxelSide(given, 0));
   // The format says so: z is the height.
   InputOptions options = given;
   options.zUp |= options.isAutomatic && !options.isUpKnown;
-  const auto file = WatchedFile::open(path, options.memory);
-  if (!file)
-    return file.error();
+  const auto file = VOXC_TRY(WatchedFile::open(path, options.memory));
   const auto broken = [&](const std::string &what) {
     return Error::input("'" + path + "' is not a usable LAS file: " + what);
   };
-  const auto header = readLasHeader((*file)->bytes());
+  const auto header = readLasHeader(file->bytes());
   if (!header)
     return broken(header.error().message);
-  const auto points = readLasPoints(*header, *options.memory, options.progress);
-  if (!points)
-    return points.error();
-  auto voxels = placePoints(**points, false, options, broken);
-  if (!voxels)
-    return voxels.error();
+  const auto points = VOXC_TRY(readLasPoints(*header, *options.memory, options.progress));
+  auto voxels = VOXC_TRY(placePoints(*points, false, options, broken));
   Input input;
-  input.source = std::move(voxels->source);
-  input.provenance = modelProvenance("points", longestAxis(input.source->extent()), options) +
-                     gridProvenance(*side, options);
-  input.warnings = std::move(voxels->warnings);
-  for (std::string &warning : (*points)->warnings())
+  input.source = std::move(voxels.source);
+  input.provenance =
+      modelProvenance("points", longestAxis(input.source->extent()), options) + gridProvenance(side, options);
+  input.warnings = std::move(voxels.warnings);
+  for (std::string &warning : points->warnings())
     input.warnings.push_back(std::move(warning));
-  input.facts = std::move(voxels->facts);
+  input.facts = std::move(voxels.facts);
   input.loadSeconds = loading.seconds();
   return input;
 }

@@ -122,14 +122,9 @@ constexpr std::array<WordOfColour, 4> kWordsOf{colourOf, emissionOf, strengthOf,
 
 Expected<void> addPart(SceneParts &parts, std::shared_ptr<const WatchedFile> bytes,
                        std::optional<std::int32_t> frame) {
-  auto file = readVoxFile(bytes->bytes(), frame.value_or(0));
-  if (!file)
-    return file.error();
-  ScenePart &part = parts.emplace_back(ScenePart{std::move(bytes), std::move(*file), {}});
-  auto scene = makeVoxScene(part.file, frame);
-  if (!scene)
-    return scene.error();
-  part.scene = std::move(*scene);
+  auto file = VOXC_TRY(readVoxFile(bytes->bytes(), frame.value_or(0)));
+  ScenePart &part = parts.emplace_back(ScenePart{std::move(bytes), std::move(file), {}});
+  part.scene = VOXC_TRY(makeVoxScene(part.file, frame));
   return {};
 }
 
@@ -138,14 +133,12 @@ Expected<void> coverAllFrames(ScenePart &part) {
   Long3 &low = part.scene.low, &size = part.scene.size;
   for (std::int32_t frame = 0; frame < part.scene.frames; ++frame) {
     const auto file = readVoxFile(part.bytes->bytes(), frame);
-    const auto scene = file ? makeVoxScene(*file, frame) : file.error();
-    if (!scene)
-      return scene.error();
-    if (scene->instances.empty())
+    const auto scene = VOXC_TRY(file ? makeVoxScene(*file, frame) : file.error());
+    if (scene.instances.empty())
       continue;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::int64_t end = std::max(low[axis] + size[axis], scene->low[axis] + scene->size[axis]);
-      low[axis] = std::min(low[axis], scene->low[axis]);
+      const std::int64_t end = std::max(low[axis] + size[axis], scene.low[axis] + scene.size[axis]);
+      low[axis] = std::min(low[axis], scene.low[axis]);
       size[axis] = std::min(end - low[axis], kMostSide);
     }
   }
@@ -192,9 +185,7 @@ Expected<Input> openScene(const SceneParts &parts, const InputOptions &options) 
   if (placed.count() > kMostPlaced)
     return Error::input("its scene places " + std::to_string(placed.count()) + " voxels; there may be " +
                         std::to_string(kMostPlaced));
-  auto voxels = BinnedVoxels::create(extent, options.memory);
-  if (!voxels)
-    return voxels.error();
+  auto voxels = VOXC_TRY(BinnedVoxels::create(extent, options.memory));
   const bool isLabels = options.colourMap == kLabels;
   const WordOfColour material = kWordsOf[static_cast<std::size_t>(options.materialWords)];
   const auto wordOf = [&](unsigned colour, const VoxFile &file) -> std::uint32_t {
@@ -211,16 +202,15 @@ Expected<Input> openScene(const SceneParts &parts, const InputOptions &options) 
     dropped.clear += !isLabels && word != 0 && word >> 24 == 0;
     if (word == 0)
       return;
-    voxels->count(voxel);
+    voxels.count(voxel);
     used.add(colour, file);
   });
   if (!counted)
     return counted.error();
-  if (auto allocated = voxels->allocate(); !allocated)
-    return allocated.error();
+  VOXC_TRY(voxels.allocate());
   auto all = placed.forEach(options.progress, [&](Int3 voxel, unsigned colour, const VoxFile &file) {
     if (const std::uint32_t word = wordOf(colour, file); word != 0)
-      voxels->place(voxel, word);
+      voxels.place(voxel, word);
   });
   if (!all)
     return all.error();
@@ -228,14 +218,13 @@ Expected<Input> openScene(const SceneParts &parts, const InputOptions &options) 
   input.words = isLabels ? MaterialWords::Colours : options.materialWords;
   for (const ScenePart &part : parts) {
     input.warnings.insert(input.warnings.end(), part.scene.warnings.begin(), part.scene.warnings.end());
-    if (auto warned = warnOfVoxelsTwice(part.scene, options.memory, input.warnings); !warned)
-      return warned.error();
+    VOXC_TRY(warnOfVoxelsTwice(part.scene, options.memory, input.warnings));
   }
   dropped.warn(input.warnings);
   used.warn(input.warnings);
   if (options.describe)
     input.facts = factsOf(parts, placed, used.count());
-  input.source = std::move(*voxels).finish(placed.voxelToModel());
+  input.source = std::move(voxels).finish(placed.voxelToModel());
   input.frames = static_cast<std::size_t>(framesOf(parts));
   input.provenance = "coverage=models";
   if (isLabels)
@@ -248,26 +237,20 @@ Expected<Input> openScene(const SceneParts &parts, const InputOptions &options) 
 Expected<Input> openMagicaVoxel(const std::string &path, const InputOptions &options) {
   const Stopwatch loading;
   constexpr std::size_t kMostFiles = 4096;
-  const auto named = parseFramePath(path);
-  if (!named)
-    return named.error();
-  const auto paths = numberedPaths(named->path, kMostFiles);
-  if (!paths)
-    return paths.error();
+  const auto named = VOXC_TRY(parseFramePath(path));
+  const auto paths = VOXC_TRY(numberedPaths(named.path, kMostFiles));
   const auto broken = [](const std::string &name, const Error &error) {
     return error.kind == ErrorKind::Input
                ? Error::input("'" + name + "' is not a usable MagicaVoxel file: " + error.message)
                : error;
   };
   std::optional<std::int32_t> frame;
-  if (named->frame > 0 || options.boxOfAllFrames)
-    frame = std::max(named->frame, 1) - 1;
+  if (named.frame > 0 || options.boxOfAllFrames)
+    frame = std::max(named.frame, 1) - 1;
   SceneParts parts;
-  for (const std::string &name : *paths) {
-    auto file = WatchedFile::open(name, options.memory);
-    if (!file)
-      return file.error();
-    if (auto added = addPart(parts, std::move(*file), frame); !added)
+  for (const std::string &name : paths) {
+    auto file = VOXC_TRY(WatchedFile::open(name, options.memory));
+    if (auto added = addPart(parts, std::move(file), frame); !added)
       return broken(name, added.error());
     if (auto widened = options.boxOfAllFrames ? coverAllFrames(parts.back()) : Expected<void>(); !widened)
       return broken(name, widened.error());
@@ -277,7 +260,7 @@ Expected<Input> openMagicaVoxel(const std::string &path, const InputOptions &opt
     return Error::input("'" + path + "' " + input.error().message);
   if (!input)
     return broken(path, input.error());
-  for (std::string &sentence : saysBesides(named->path))
+  for (std::string &sentence : saysBesides(named.path))
     input->warnings.push_back(std::move(sentence));
   input->loadSeconds = loading.seconds();
   return input;

@@ -86,30 +86,25 @@ std::string complaintOf(const SolidMesh &solid) {
 Expected<void> fill(const TriangleScene &scene, const InputOptions &options, Input &input) {
   const Stopwatch filling;
   const auto make = options.coverage == Coverage::Centre ? centreMesh : fillMesh;
-  auto solid = make(scene, voxelizeOptions(options), std::move(input.source), options.fillWord,
-                    {options.memory, options.threads, options.progress});
-  if (!solid)
-    return solid.error();
-  input.source = std::move(solid->source);
+  auto solid = VOXC_TRY(make(scene, voxelizeOptions(options), std::move(input.source), options.fillWord,
+                             {options.memory, options.threads, options.progress}));
+  input.source = std::move(solid.source);
   input.interior = Interior::Fill;
-  input.interiorVoxels = solid->voxels;
+  input.interiorVoxels = solid.voxels;
   input.interiorSeconds = filling.seconds();
-  if (solid->open.count != 0)
-    input.warnings.push_back(complaintOf(*solid));
-  if (solid->isDoubleSided)
-    input.notes.push_back(
-        "triangles lie on others that face the other way; of these, one of each two says what "
-        "is inside, which a ray enters an odd number of times");
+  if (solid.open.count != 0)
+    input.warnings.push_back(complaintOf(solid));
+  if (solid.isDoubleSided)
+    input.notes.push_back("triangles lie on others that face the other way; of these, one of each two says "
+                          "what is inside, which a ray enters an odd number of times");
   return {};
 }
 
 /// A model of points alone is no surface: each point is one voxel, as in a .ply.
 Expected<void> openPoints(const std::string &path, const TriangleScene &scene, const InputOptions &options,
                           double side, Input &input) {
-  const auto points = pointsOf(scene, options.memory, options.progress);
-  if (!points)
-    return points.error();
-  auto voxels = placePoints(**points, false, options, [&](const std::string &what) {
+  const auto points = VOXC_TRY(pointsOf(scene, options.memory, options.progress));
+  auto voxels = placePoints(*points, false, options, [&](const std::string &what) {
     return Error::input("'" + path + "' has unusable points: " + what);
   });
   if (!voxels)
@@ -140,42 +135,34 @@ Expected<Input> openMesh(const std::string &path, const InputOptions &options) {
 Expected<Input> openMeshBy(const LoadScene &load, const std::string &path, const InputOptions &given) {
   const Stopwatch loading;
   InputOptions options = given;
-  const auto side = voxelSide(given, unitOf(path));
-  if (!side)
-    return side.error();
-  options.voxelSize = {*side, 0};
-  auto scene = load(path, options.memory, options.progress);
-  if (!scene)
-    return scene.error();
-  if (auto shown = showWords(*scene, options.materialWords); !shown)
+  const auto side = VOXC_TRY(voxelSide(given, unitOf(path)));
+  options.voxelSize = {side, 0};
+  auto scene = VOXC_TRY(load(path, options.memory, options.progress));
+  if (auto shown = showWords(scene, options.materialWords); !shown)
     return Error::input("'" + path + "': " + shown.error().message);
   Input input;
   input.words = options.materialWords;
   input.loadSeconds = loading.seconds();
-  input.loaderPeakBytes = scene->loaderPeakBytes;
-  input.triangles = triangleCount(*scene);
-  input.warnings = std::move(scene->warnings);
+  input.loaderPeakBytes = scene.loaderPeakBytes;
+  input.triangles = triangleCount(scene);
+  input.warnings = std::move(scene.warnings);
   if (options.describe)
-    input.facts = factsOf(*scene);
-  if (isOfPoints(*scene)) {
-    auto opened = openPoints(path, *scene, options, *side, input);
+    input.facts = factsOf(scene);
+  if (isOfPoints(scene)) {
+    auto opened = openPoints(path, scene, options, side, input);
     return opened ? Expected<Input>(std::move(input)) : opened.error();
   }
   const Stopwatch binning;
-  const auto shared = std::make_shared<const TriangleScene>(std::move(*scene));
-  auto source = voxelize(shared, options);
-  if (!source)
-    return source.error();
-  input.source = std::move(*source);
+  const auto shared = std::make_shared<const TriangleScene>(std::move(scene));
+  input.source = VOXC_TRY(voxelize(shared, options));
   input.binSeconds = binning.seconds();
   input.provenance = modelProvenance(kCoverageNames[static_cast<std::size_t>(options.coverage)],
                                      longestAxis(input.source->extent()), options) +
-                     gridProvenance(*side, options);
+                     gridProvenance(side, options);
   if (options.colour == ColourRule::Nearest)
     input.provenance += " colour=nearest";
   if (options.interior == Interior::Fill || options.coverage == Coverage::Centre)
-    if (auto filled = fill(*shared, options, input); !filled)
-      return filled.error();
+    VOXC_TRY(fill(*shared, options, input));
   return input;
 }
 

@@ -30,17 +30,13 @@ Expected<InflatedBytes> inflate(std::span<const std::byte> &packed, const InputO
       return Error::interrupted();
     if (done >= kMost)
       return Error::input("it has more than 4 GiB when it is inflated");
-    if (auto sized = bytes.resize(done + kStep); !sized)
-      return sized.error();
-    const auto read = reader.readSome(bytes.span().subspan(done, kStep));
-    if (!read)
-      return read.error();
-    done += *read;
+    VOXC_TRY(bytes.resize(done + kStep));
+    const auto read = VOXC_TRY(reader.readSome(bytes.span().subspan(done, kStep)));
+    done += read;
     options.memory->relieve(kStep);
-    if (*read == kStep)
+    if (read == kStep)
       continue;
-    if (auto sized = bytes.resize(done); !sized)
-      return sized.error();
+    VOXC_TRY(bytes.resize(done));
     packed = reader.behind();
     return bytes;
   }
@@ -88,27 +84,24 @@ Expected<Input> openScene(BlockScene scene, const InputOptions &options) {
                         "; enlarge the format");
   const Int3 extent{static_cast<std::int32_t>(size[0]), static_cast<std::int32_t>(size[1]),
                     static_cast<std::int32_t>(size[2])};
-  auto voxels = BinnedVoxels::create(extent, options.memory);
-  if (!voxels)
-    return voxels.error();
+  auto voxels = VOXC_TRY(BinnedVoxels::create(extent, options.memory));
   std::uint64_t blocks = 0;
   auto counted = forEachBlock(scene, box.low, options, [&](Int3 voxel, std::uint32_t) {
-    voxels->count(voxel);
+    voxels.count(voxel);
     ++blocks;
   });
   if (!counted)
     return counted.error();
-  if (auto allocated = voxels->allocate(); !allocated)
-    return allocated.error();
+  VOXC_TRY(voxels.allocate());
   auto placed = forEachBlock(scene, box.low, options,
-                             [&](Int3 voxel, std::uint32_t word) { voxels->place(voxel, word); });
+                             [&](Int3 voxel, std::uint32_t word) { voxels.place(voxel, word); });
   if (!placed)
     return placed.error();
   Input input;
   Transform map;
   for (int axis = 0; axis < 3; ++axis)
     map[3][axis] = static_cast<double>(box.low[static_cast<std::size_t>(axis)]);
-  input.source = std::move(*voxels).finish(map);
+  input.source = std::move(voxels).finish(map);
   input.provenance = "coverage=blocks";
   input.warnings = std::move(scene.warnings);
   if (options.describe)
@@ -121,34 +114,26 @@ Expected<Input> openBytes(std::span<const std::byte> bytes, const InputOptions &
   InflatedBytes inflated(options.memory);
   std::uint64_t behind = 0;
   if (isGzip(bytes)) {
-    auto all = inflate(bytes, options);
-    if (!all)
-      return all.error();
+    auto all = VOXC_TRY(inflate(bytes, options));
     behind = bytes.size();
-    inflated = std::move(*all);
+    inflated = std::move(all);
     bytes = std::as_const(inflated).span();
   }
-  const auto tags = readNbt(bytes);
-  if (!tags)
-    return tags.error();
-  const std::span<const std::byte> payload = tags->payload();
+  const auto tags = VOXC_TRY(readNbt(bytes));
+  const std::span<const std::byte> payload = tags.payload();
   behind += bytes.size() - static_cast<std::size_t>(payload.data() + payload.size() - bytes.data());
-  auto scene = readBlockScene(*tags, options.progress);
-  if (!scene)
-    return scene.error();
+  auto scene = VOXC_TRY(readBlockScene(tags, options.progress));
   if (behind != 0)
-    scene->warnings.push_back(countedAre(behind, "byte") + " left out behind the end of its tags");
-  return openScene(std::move(*scene), options);
+    scene.warnings.push_back(countedAre(behind, "byte") + " left out behind the end of its tags");
+  return openScene(std::move(scene), options);
 }
 
 } // namespace
 
 Expected<Input> openMinecraft(const std::string &path, const InputOptions &options) {
   const Stopwatch loading;
-  const auto file = WatchedFile::open(path, options.memory);
-  if (!file)
-    return file.error();
-  auto input = openBytes((*file)->bytes(), options);
+  const auto file = VOXC_TRY(WatchedFile::open(path, options.memory));
+  auto input = openBytes(file->bytes(), options);
   if (!input && input.error().kind == ErrorKind::Usage)
     return Error::usage("'" + path + "' " + input.error().message);
   if (!input && input.error().kind == ErrorKind::Input)

@@ -68,8 +68,7 @@ Expected<Int3> extentOf(const NanoVdbGrid &grid, const InputOptions &options) {
       return Error::input("its grid has no active voxel");
     extent[axis] = static_cast<std::int32_t>(std::min<std::int64_t>(size, (1 << kMaxLog2Extent) + 1));
   }
-  if (auto possible = checkGridExtent(extent); !possible)
-    return possible.error();
+  VOXC_TRY(checkGridExtent(extent));
   const Int3 holds = options.mostExtent();
   const bool fits = extent.x <= holds.x && extent.y <= holds.y && extent.z <= holds.z;
   // What is empty is kept in a bit for each 512 cells.
@@ -119,25 +118,20 @@ Expected<Look> lookOf(const NanoVdbGrid &grid, const InputOptions &options, cons
   Look look;
   look.meaning = grid.kind().meaning;
   look.isLevelSet = grid.isLevelSet() && look.meaning == ValueMeaning::Sample;
-  if (auto checked = checkOptions(look, options); !checked)
-    return checked.error();
+  VOXC_TRY(checkOptions(look, options));
   // Nearer than half a voxel's side, as of OpenVDB's level sets.
   look.threshold = options.threshold.value_or(grid.voxelSize() / 2);
   look.map.threshold = options.threshold;
   if (options.keepsSamples) {
     look.map.kept = grid.kind().isWhole ? SampleMap::Kept::Int32 : SampleMap::Kept::Float32;
-    if (auto fits = checkKept(look.map.kept, range); !fits)
-      return fits.error();
+    VOXC_TRY(checkKept(look.map.kept, range));
     return look;
   }
   if (options.colourMap == kLabels) {
     look.map.labels = true;
     return look;
   }
-  auto colours = colourMap(options.colourMap);
-  if (!colours)
-    return colours.error();
-  look.map.colours = *colours;
+  look.map.colours = VOXC_TRY(colourMap(options.colourMap));
   look.map.window = options.window ? SampleRange{(*options.window)[0], (*options.window)[1]} : range;
   return look;
 }
@@ -241,48 +235,39 @@ std::string provenanceOf(const Look &look, const InputOptions &options) {
 
 Expected<Input> makeInput(std::shared_ptr<const OpenGrid> open, const InputOptions &options) {
   const NanoVdbGrid &grid = open->grid;
-  const auto stored = extentOf(grid, options);
-  if (!stored)
-    return stored.error();
+  const auto stored = VOXC_TRY(extentOf(grid, options));
   const SampleRange range = grid.kind().meaning == ValueMeaning::Sample ? rangeOf(grid) : SampleRange{0, 0};
-  const auto look = lookOf(grid, options, range);
-  if (!look)
-    return look.error();
+  const auto look = VOXC_TRY(lookOf(grid, options, range));
   Input input;
   if (options.describe)
     input.facts = factsOf(grid, range, open->stored);
-  if (options.threshold && !look->isLevelSet)
+  if (options.threshold && !look.isLevelSet)
     if (const auto complaint = complaintOf(*options.threshold, {std::min(range.low, grid.background()),
                                                                 std::max(range.high, grid.background())}))
       input.warnings.push_back(*complaint);
-  input.provenance = provenanceOf(*look, options);
+  input.provenance = provenanceOf(look, options);
   if (!options.grid.empty())
     input.provenance += " grid=" + provenanceWord(options.grid);
   else if (!open->stored.others.empty())
     input.warnings.push_back("it holds " + std::to_string(open->stored.others.size() + 1) + " grids; '" +
                              open->stored.name + "' is taken, and left out are " +
                              listed(open->stored.others) + " (--grid NAME takes one of them)");
-  OccupancyPyramid occupancy = occupancyOf(grid, *look, *stored);
+  OccupancyPyramid occupancy = occupancyOf(grid, look, stored);
   const Transform map = voxelToModelOf(grid);
-  std::shared_ptr<const DenseRows> rows = std::make_shared<GridRows>(std::move(open), *look);
-  auto source = makeUprightSource(*stored, std::move(rows), std::move(occupancy), map, options.zUp,
-                                  options.memory, options.progress);
-  if (!source)
-    return source.error();
-  input.source = std::move(*source);
+  std::shared_ptr<const DenseRows> rows = std::make_shared<GridRows>(std::move(open), look);
+  input.source = VOXC_TRY(makeUprightSource(stored, std::move(rows), std::move(occupancy), map, options.zUp,
+                                            options.memory, options.progress));
   return input;
 }
 
 Expected<Input> openFile(const std::string &path, const InputOptions &options) {
-  auto file = WatchedFile::open(path, options.memory);
-  if (!file)
-    return file.error();
+  auto file = VOXC_TRY(WatchedFile::open(path, options.memory));
   const auto broken = [&](const Error &error) {
     return error.kind == ErrorKind::Input
                ? Error::input("'" + path + "' is not a usable NanoVDB file: " + error.message)
                : error;
   };
-  auto stored = findNanoVdbGrid(std::move(*file), options.grid, options.memory, options.progress);
+  auto stored = findNanoVdbGrid(std::move(file), options.grid, options.memory, options.progress);
   if (!stored)
     return broken(stored.error());
   auto grid = NanoVdbGrid::open(stored->bytes, options.progress);

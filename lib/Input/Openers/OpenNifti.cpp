@@ -54,10 +54,8 @@ std::unique_ptr<ByteStream> streamOf(const File &file) {
 Expected<NiftiHeader> readHeader(const File &file, const std::string &path) {
   std::vector<std::byte> front(NiftiHeader::kMaxBytes);
   // Both versions begin with their size, and the shorter one may end before the longer would.
-  const auto count = streamOf(file)->readSome(front);
-  if (!count)
-    return count.error();
-  front.resize(*count);
+  const auto count = VOXC_TRY(streamOf(file)->readSome(front));
+  front.resize(count);
   return readNiftiHeader(front, hasEnding(path, kPair[0]));
 }
 
@@ -75,34 +73,30 @@ Expected<File> openSamples(const NiftiHeader &header, File file, const std::stri
 /// Puts the samples of volume `number` into `volume`.
 Expected<void> takeSamples(const NiftiHeader &header, std::uint64_t number, File file,
                            const InputOptions &options, DenseVolume &volume) {
-  const auto size = header.volumeBytes();
-  if (!size)
-    return size.error();
-  if (number > (std::uint64_t{1} << 62) / *size)
+  const auto size = VOXC_TRY(header.volumeBytes());
+  if (number > (std::uint64_t{1} << 62) / size)
     return Error::input("its volumes are larger than any file");
-  const std::uint64_t begin = header.dataOffset + number * *size;
+  const std::uint64_t begin = header.dataOffset + number * size;
   const std::span<const std::byte> bytes = file->bytes();
   if (!isGzip(bytes)) {
-    if (begin > bytes.size() || *size > bytes.size() - begin)
+    if (begin > bytes.size() || size > bytes.size() - begin)
       return Error::input("it has " + std::to_string(bytes.size()) + " bytes, but its samples take " +
-                          std::to_string(*size) + " behind byte " + std::to_string(begin));
+                          std::to_string(size) + " behind byte " + std::to_string(begin));
     const std::uint64_t room = bytes.size() - header.dataOffset;
-    if (header.volumes <= room / *size && header.volumes * *size < room)
-      volume.warnings.push_back(countedAre(room - header.volumes * *size, "byte") +
+    if (header.volumes <= room / size && header.volumes * size < room)
+      volume.warnings.push_back(countedAre(room - header.volumes * size, "byte") +
                                 " left out, which lie behind the samples");
     volume.samples = bytes.data() + begin;
     volume.storage = std::move(file);
     return {};
   }
   const auto stream = makeGzipStream(bytes);
-  if (begin > stream->mostBytes() || *size > stream->mostBytes())
+  if (begin > stream->mostBytes() || size > stream->mostBytes())
     return Error::input("its " + std::to_string(bytes.size()) + " compressed bytes cannot hold the " +
-                        std::to_string(*size) + " that its header speaks of");
-  if (auto skipped = skipBytes(*stream, begin, options.progress); !skipped)
-    return skipped;
+                        std::to_string(size) + " that its header speaks of");
+  VOXC_TRY(skipBytes(*stream, begin, options.progress));
   Cells cells(options.memory);
-  if (auto read = appendBytes(*stream, *size, cells, *options.memory, options.progress); !read)
-    return read;
+  VOXC_TRY(appendBytes(*stream, size, cells, *options.memory, options.progress));
   if (number + 1 == header.volumes)
     for (std::string &sentence : saysBehind(*stream))
       volume.warnings.push_back(std::move(sentence));
@@ -131,23 +125,16 @@ Expected<DenseVolume> volumeOf(const NiftiHeader &header) {
 }
 
 Expected<DenseVolume> readVolume(File file, const std::string &path, const InputOptions &options) {
-  const auto header = readHeader(file, path);
-  if (!header)
-    return header.error();
-  auto samples = openSamples(*header, std::move(file), path, options);
-  if (!samples)
-    return samples.error();
-  auto volume = volumeOf(*header);
-  volume->warnings = header->warnings;
-  const auto number = chooseVolume(header->volumes, options, volume->warnings);
-  if (!number)
-    return number.error();
-  if (auto taken = takeSamples(*header, *number, std::move(*samples), options, *volume); !taken)
-    return taken.error();
-  if (header->hasOrientation)
+  const auto header = VOXC_TRY(readHeader(file, path));
+  auto samples = VOXC_TRY(openSamples(header, std::move(file), path, options));
+  auto volume = volumeOf(header);
+  volume->warnings = header.warnings;
+  const auto number = VOXC_TRY(chooseVolume(header.volumes, options, volume->warnings));
+  VOXC_TRY(takeSamples(header, number, std::move(samples), options, *volume));
+  if (header.hasOrientation)
     orient(*volume);
   else if (options.isAutomatic)
-    volume->notes.push_back(std::string(header->isAnalyze ? "an Analyze file" : "its header") +
+    volume->notes.push_back(std::string(header.isAnalyze ? "an Analyze file" : "its header") +
                             " does not say how the axes lie; they are taken as right, front and up");
   return volume;
 }

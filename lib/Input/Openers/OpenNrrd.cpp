@@ -20,13 +20,11 @@ Expected<std::int64_t> offsetOf(const NrrdHeader &header, const InputOptions &op
   std::uint64_t volumes = 1;
   for (const NrrdHeader::Others &axis : header.others)
     volumes *= axis.size;
-  auto volume = chooseVolume(volumes, options, warnings);
-  if (!volume)
-    return volume.error();
+  auto volume = VOXC_TRY(chooseVolume(volumes, options, warnings));
   std::int64_t offset = 0;
   for (const NrrdHeader::Others &axis : header.others) {
-    offset += static_cast<std::int64_t>(*volume % axis.size) * axis.step;
-    *volume /= axis.size;
+    offset += static_cast<std::int64_t>(volume % axis.size) * axis.step;
+    volume /= axis.size;
   }
   return offset;
 }
@@ -65,22 +63,15 @@ Expected<DenseVolume> volumeOf(NrrdHeader &header, NrrdData data, std::int64_t o
 Expected<DenseVolume> readVolume(const std::string &path, std::shared_ptr<const WatchedFile> file,
                                  const InputOptions &options) {
   std::string_view text = file->text();
-  auto header = readNrrdHeader(text, options.volume > 0);
-  if (!header)
-    return header.error();
-  const auto offset = offsetOf(*header, options, header->warnings);
-  if (!offset)
-    return offset.error();
-  auto data = readNrrdData(*header, std::move(file), std::as_bytes(std::span(text)),
-                           std::filesystem::path(path).parent_path(), options);
-  if (!data)
-    return data.error();
-  header->warnings.insert(header->warnings.end(), data->warnings.begin(), data->warnings.end());
-  if (header->isUpZ && options.isAutomatic && !options.isUpKnown)
-    header->notes.push_back(
-        "its +z goes to the head of a patient, and lies as voxel z; --up z turns it to +y, "
-        "the up of pictures, as it is for NIfTI files");
-  return volumeOf(*header, std::move(*data), *offset);
+  auto header = VOXC_TRY(readNrrdHeader(text, options.volume > 0));
+  const auto offset = VOXC_TRY(offsetOf(header, options, header.warnings));
+  auto data = VOXC_TRY(readNrrdData(header, std::move(file), std::as_bytes(std::span(text)),
+                                    std::filesystem::path(path).parent_path(), options));
+  header.warnings.insert(header.warnings.end(), data.warnings.begin(), data.warnings.end());
+  if (header.isUpZ && options.isAutomatic && !options.isUpKnown)
+    header.notes.push_back("its +z goes to the head of a patient, and lies as voxel z; --up z turns it to "
+                           "+y, the up of pictures, as it is for NIfTI files");
+  return volumeOf(header, std::move(data), offset);
 }
 
 } // namespace

@@ -60,16 +60,13 @@ Expected<DenseVolume> volumeOf(const NpyHeader &header, const InputOptions &opti
   std::uint64_t volumes = 1;
   for (std::size_t axis = 0; axis < end; ++axis)
     volumes *= header.shape[axis];
-  auto number = chooseVolume(volumes, options, volume.warnings);
-  if (!number)
-    return number.error();
+  auto number = VOXC_TRY(chooseVolume(volumes, options, volume.warnings));
   offset = 0;
   while (end-- > 0) {
-    offset += static_cast<std::int64_t>(*number % header.shape[end]) * steps[end];
-    *number /= header.shape[end];
+    offset += static_cast<std::int64_t>(number % header.shape[end]) * steps[end];
+    number /= header.shape[end];
   }
-  if (auto possible = sampleBytes(volume.extent, volume.layout); !possible)
-    return possible.error();
+  VOXC_TRY(sampleBytes(volume.extent, volume.layout));
   return volume;
 }
 
@@ -77,40 +74,32 @@ Expected<DenseVolume> readArray(std::span<const std::byte> whole, std::unique_pt
                                 std::shared_ptr<const WatchedFile> file, const InputOptions &options) {
   // The front of what is packed is read twice.
   std::vector<std::byte> front(kMostNpyHeader);
-  auto count = stream->readSome(front);
-  if (!count)
-    return count.error();
-  const auto header = readNpyHeader(std::span(front).first(*count));
-  if (!header)
-    return header.error();
+  auto count = VOXC_TRY(stream->readSome(front));
+  const auto header = VOXC_TRY(readNpyHeader(std::span(front).first(count)));
   std::uint64_t bytes = 0;
   std::int64_t offset = 0;
-  auto volume = volumeOf(*header, options, bytes, offset);
-  if (!volume)
-    return volume.error();
+  auto volume = VOXC_TRY(volumeOf(header, options, bytes, offset));
   if (!whole.empty()) {
-    if (header->dataOffset > whole.size() || bytes > whole.size() - header->dataOffset)
-      return Error::input("its array of shape " + shapeText(*header) + " takes " + std::to_string(bytes) +
-                          " bytes, but there are " + std::to_string(whole.size() - header->dataOffset));
-    if (const std::uint64_t behind = whole.size() - header->dataOffset - bytes; behind != 0)
-      volume->warnings.push_back(countedAre(behind, "byte") + " left out, which lie behind the array");
-    volume->samples = whole.data() + header->dataOffset + offset;
-    volume->storage = std::move(file);
+    if (header.dataOffset > whole.size() || bytes > whole.size() - header.dataOffset)
+      return Error::input("its array of shape " + shapeText(header) + " takes " + std::to_string(bytes) +
+                          " bytes, but there are " + std::to_string(whole.size() - header.dataOffset));
+    if (const std::uint64_t behind = whole.size() - header.dataOffset - bytes; behind != 0)
+      volume.warnings.push_back(countedAre(behind, "byte") + " left out, which lie behind the array");
+    volume.samples = whole.data() + header.dataOffset + offset;
+    volume.storage = std::move(file);
     return volume;
   }
   Cells cells(options.memory);
-  const std::uint64_t here = std::min<std::uint64_t>(*count - header->dataOffset, bytes);
-  if (auto added = cells.append(std::span(std::as_const(front)).subspan(header->dataOffset, here)); !added)
-    return added.error();
-  if (auto added = appendBytes(*stream, bytes - here, cells, *options.memory, options.progress); !added)
-    return added.error();
-  const bool hasMore = *count - header->dataOffset > bytes;
+  const std::uint64_t here = std::min<std::uint64_t>(count - header.dataOffset, bytes);
+  VOXC_TRY(cells.append(std::span(std::as_const(front)).subspan(header.dataOffset, here)));
+  VOXC_TRY(appendBytes(*stream, bytes - here, cells, *options.memory, options.progress));
+  const bool hasMore = count - header.dataOffset > bytes;
   for (std::string &sentence :
        hasMore ? std::vector<std::string>{"more is packed behind the array, and is left out"}
                : saysBehind(*stream))
-    volume->warnings.push_back(std::move(sentence));
-  volume->samples = cells.data() + offset;
-  volume->storage = std::make_shared<const Cells>(std::move(cells));
+    volume.warnings.push_back(std::move(sentence));
+  volume.samples = cells.data() + offset;
+  volume.storage = std::make_shared<const Cells>(std::move(cells));
   return volume;
 }
 
@@ -145,14 +134,10 @@ Expected<std::size_t> choose(const std::vector<ZippedFile> &files, const InputOp
 /// One array of an archive.
 Expected<DenseVolume> readArchive(std::shared_ptr<const WatchedFile> file, const InputOptions &options) {
   const std::span<const std::byte> bytes = file->bytes();
-  const auto files = listZip(bytes);
-  if (!files)
-    return files.error();
+  const auto files = VOXC_TRY(listZip(bytes));
   std::vector<std::string> warnings;
-  const auto chosen = choose(*files, options, warnings);
-  if (!chosen)
-    return chosen.error();
-  const ZippedFile &array = (*files)[*chosen];
+  const auto chosen = VOXC_TRY(choose(files, options, warnings));
+  const ZippedFile &array = files[chosen];
   auto volume = readArray(array.isDeflated ? std::span<const std::byte>() : array.stored, array.open(),
                           std::move(file), options);
   if (volume)

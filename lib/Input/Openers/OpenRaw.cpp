@@ -14,21 +14,17 @@ namespace {
 
 Expected<DenseVolume> readVolume(const std::string &path, Int3 extent, SampleLayout layout,
                                  const InputOptions &options) {
-  const auto size = sampleBytes(extent, layout);
-  if (!size)
-    return size.error();
-  auto file = WatchedFile::open(path, options.memory);
-  if (!file)
-    return file.error();
-  const std::uint64_t bytes = (*file)->bytes().size();
-  if (bytes != *size)
+  const auto size = VOXC_TRY(sampleBytes(extent, layout));
+  auto file = VOXC_TRY(WatchedFile::open(path, options.memory));
+  const std::uint64_t bytes = file->bytes().size();
+  if (bytes != size)
     return Error::input("'" + path + "' has " + std::to_string(bytes) + " bytes, but a grid of " +
-                        toText(extent) + " such samples has " + std::to_string(*size));
+                        toText(extent) + " such samples has " + std::to_string(size));
   DenseVolume volume;
   volume.extent = extent;
   volume.layout = layout;
-  volume.samples = (*file)->bytes().data();
-  volume.storage = std::move(*file);
+  volume.samples = file->bytes().data();
+  volume.storage = std::move(file);
   return volume;
 }
 
@@ -48,10 +44,8 @@ Expected<Input> openRaw(const std::string &text, const InputOptions &options) {
   const auto layout = parseSampleLayout(type);
   if (!layout)
     return Error::input("'" + type + "' is no type of samples; there are " + sampleLayoutNames());
-  auto volume = readVolume(text.substr(second + 1), *extent, *layout, options);
-  if (!volume)
-    return volume.error();
-  auto input = makeInput(std::move(*volume), options);
+  auto volume = VOXC_TRY(readVolume(text.substr(second + 1), *extent, *layout, options));
+  auto input = makeInput(std::move(volume), options);
   if (input)
     input->loadSeconds = loading.seconds();
   return input;

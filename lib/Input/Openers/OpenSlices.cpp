@@ -51,8 +51,7 @@ Transform mapOf(const Stack &stack) {
 }
 
 Expected<void> checkExtent(Int3 extent, const InputOptions &options) {
-  if (auto possible = checkGridExtent(extent); !possible)
-    return possible.error();
+  VOXC_TRY(checkGridExtent(extent));
   const Int3 holds = options.mostExtent();
   if (extent.x > holds.x || extent.y > holds.y || extent.z > holds.z)
     return Error::input("takes " + toText(extent) + " voxels, but the format holds " + toText(holds));
@@ -67,13 +66,10 @@ Expected<void> append(const Slice &slice, SliceReader &reader, const InputOption
   else if (slice != stack.slice)
     return Error::input("it has another size than the first, or colours or samples where that has others");
   stack.extent = {slice.width, slice.height, stack.extent.z + 1};
-  if (auto fits = checkExtent(stack.extent, options); !fits)
-    return fits;
+  VOXC_TRY(checkExtent(stack.extent, options));
   const std::uint64_t begin = cells.size();
-  if (auto resized = cells.resize(begin + slice.bytes()); !resized)
-    return resized;
-  if (auto decoded = reader.decode(cells.span().subspan(begin)); !decoded)
-    return decoded;
+  VOXC_TRY(cells.resize(begin + slice.bytes()));
+  VOXC_TRY(reader.decode(cells.span().subspan(begin)));
   options.memory->relieve(slice.bytes());
   return {};
 }
@@ -81,15 +77,13 @@ Expected<void> append(const Slice &slice, SliceReader &reader, const InputOption
 /// Appends all pictures of a file.
 Expected<void> appendFile(const std::string &path, const InputOptions &options, Stack &stack,
                           ScratchCells &cells) {
-  auto file = WatchedFile::open(path, options.memory);
-  if (!file)
-    return file.error();
+  auto file = VOXC_TRY(WatchedFile::open(path, options.memory));
   const auto broken = [&](const Error &error) {
     return error.kind == ErrorKind::Input
                ? Error::input("'" + path + "' is not a usable slice: " + error.message)
                : error;
   };
-  auto reader = isTiff((*file)->bytes()) ? openTiffSlices((*file)->bytes()) : openPngSlice((*file)->bytes());
+  auto reader = isTiff(file->bytes()) ? openTiffSlices(file->bytes()) : openPngSlice(file->bytes());
   if (!reader)
     return broken(reader.error());
   while (true) {
@@ -119,8 +113,7 @@ Expected<Stack> readStack(const std::vector<std::string> &paths, const InputOpti
   for (const std::string &path : paths) {
     if (options.progress.stopped())
       return Error::interrupted();
-    if (auto appended = appendFile(path, options, stack, cells); !appended)
-      return appended.error();
+    VOXC_TRY(appendFile(path, options, stack, cells));
   }
   if (stack.extent.z == 0)
     return Error::input("'" + paths.front() + "' is not a usable slice: it has no picture");
@@ -142,8 +135,7 @@ Expected<void> checkOptions(const InputOptions &options) {
 }
 
 Expected<Input> openWords(const Stack &stack, const InputOptions &options) {
-  if (auto checked = checkOptions(options); !checked)
-    return checked.error();
+  VOXC_TRY(checkOptions(options));
   Input input;
   if (options.describe)
     input.facts = {{"pixels", "colours", {}}, sizeFact("size", stack.extent)};
@@ -156,10 +148,8 @@ Expected<Input> openWords(const Stack &stack, const InputOptions &options) {
     voxelToModel = turnUpright(voxelToModel, extent.y);
     extent = {extent.x, extent.z, extent.y};
   }
-  auto source = makeDenseSource(extent, std::move(rows), voxelToModel, options.memory, options.progress);
-  if (!source)
-    return source.error();
-  input.source = std::move(*source);
+  input.source =
+      VOXC_TRY(makeDenseSource(extent, std::move(rows), voxelToModel, options.memory, options.progress));
   return input;
 }
 
@@ -184,21 +174,15 @@ Expected<Input> openSamples(const Stack &stack, const InputOptions &options) {
 
 Expected<Input> openSlices(const std::string &path, const InputOptions &options) {
   const Stopwatch loading;
-  const auto paths = numberedPaths(path, static_cast<std::size_t>(options.mostExtent().z));
-  if (!paths)
-    return paths.error();
-  const auto stack = readStack(*paths, options);
-  if (!stack)
-    return stack.error();
+  const auto paths = VOXC_TRY(numberedPaths(path, static_cast<std::size_t>(options.mostExtent().z)));
+  const auto stack = VOXC_TRY(readStack(paths, options));
   // Words as they lie in memory are fastest; cubes can be made of others, too.
-  const bool areSamples = stack->slice.isGrey || stack->spacing;
-  auto input = areSamples ? openSamples(*stack, options) : openWords(*stack, options);
-  if (!input)
-    return input;
-  input->warnings.insert(input->warnings.begin(), stack->warnings.begin(), stack->warnings.end());
+  const bool areSamples = stack.slice.isGrey || stack.spacing;
+  auto input = VOXC_TRY(areSamples ? openSamples(stack, options) : openWords(stack, options));
+  input.warnings.insert(input.warnings.begin(), stack.warnings.begin(), stack.warnings.end());
   for (std::string &sentence : saysBesides(path))
-    input->warnings.push_back(std::move(sentence));
-  input->loadSeconds = loading.seconds();
+    input.warnings.push_back(std::move(sentence));
+  input.loadSeconds = loading.seconds();
   return input;
 }
 

@@ -11,26 +11,22 @@ namespace voxc {
 
 Expected<Input> openVolume(const std::string &path, const InputOptions &options) {
   const Stopwatch loading;
-  const auto named = parseFramePath(path);
-  if (!named)
-    return named.error();
+  const auto named = VOXC_TRY(parseFramePath(path));
   LoadOptions loadOptions;
   loadOptions.memory = options.memory;
-  loadOptions.frame = named->frame;
-  auto volume = Volume::load(named->path, loadOptions);
-  if (!volume)
-    return volume.error();
+  loadOptions.frame = named.frame;
+  auto volume = VOXC_TRY(Volume::load(named.path, loadOptions));
   Input input;
-  if (const std::size_t frames = framesOf(*volume).size(); frames > 1) {
+  if (const std::size_t frames = framesOf(volume).size(); frames > 1) {
     input.frames = frames;
     if (!options.boxOfAllFrames)
-      input.warnings.push_back("it has " + std::to_string(frames) +
-                               " frames; the first is taken, and another by a "
-                               "number behind the name, as in scene.hvx#" +
-                               std::to_string(frames));
+      input.warnings.push_back(
+          "it has " + std::to_string(frames) +
+          " frames; the first is taken, and another by a number behind the name, as in scene.hvx#" +
+          std::to_string(frames));
   }
-  input.provenance = volume->info().provenance;
-  input.source = makeVolumeSource(std::make_shared<const Volume>(std::move(*volume)));
+  input.provenance = volume.info().provenance;
+  input.source = makeVolumeSource(std::make_shared<const Volume>(std::move(volume)));
   input.loadSeconds = loading.seconds();
   return input;
 }

@@ -11,10 +11,8 @@ namespace voxc {
 Expected<Input> openVtk(const std::string &path, const InputOptions &options) {
   return openDense(path, "VTK", options,
                    [&](std::shared_ptr<const WatchedFile> source) -> Expected<DenseVolume> {
-                     const auto file = readVtiFile(source->text(), options.progress);
-                     if (!file)
-                       return file.error();
-                     return readVtkImage(*file, std::move(source), options);
+                     const auto file = VOXC_TRY(readVtiFile(source->text(), options.progress));
+                     return readVtkImage(file, std::move(source), options);
                    });
 }
 

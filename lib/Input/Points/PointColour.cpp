@@ -63,9 +63,8 @@ void PointColour::take(PlyUse &use) const {
 
 std::vector<std::string> PointColour::warnings() const {
   if (areSplats_)
-    return {
-        "the points are Gaussian splats: each is one voxel of the colour that it has from all sides; their "
-        "sizes, turns and higher harmonics are not used"};
+    return {"the points are Gaussian splats: each is one voxel of the colour that it has from all sides; "
+            "their sizes, turns and higher harmonics are not used"};
   std::string warning = colour_.warning();
   return warning.empty() ? std::vector<std::string>() : std::vector{std::move(warning)};
 }

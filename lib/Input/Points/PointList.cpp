@@ -208,12 +208,10 @@ public:
       memory_->relieve();
       return progress.stopped() ? Expected<void>(Error::interrupted()) : Expected<void>();
     };
-    if (auto looked = lookAtColours(reader, vertices_, colour_.colour(), pause); !looked)
-      return looked;
+    VOXC_TRY(lookAtColours(reader, vertices_, colour_.colour(), pause));
     return reader.readRows([&](const PlyElement &element, std::uint64_t number,
                                const PlyRow &row) -> Expected<void> {
-      if (auto paused = pause(number); !paused)
-        return paused;
+      VOXC_TRY(pause(number));
       if (&element != &vertices_)
         return {};
       return points_.push({{row.values[axes_[0]], row.values[axes_[1]], row.values[axes_[2]]}, colour_(row)});
@@ -247,13 +245,11 @@ readPointList(PlyReader &reader, const std::shared_ptr<WorkingMemory> &memory, c
   const PlyElement &vertices = *reader.header().find("vertex");
   if (auto table = findTable(reader, vertices)) {
     auto points = std::make_unique<TablePoints>(reader.header(), vertices, std::move(*table));
-    if (auto looked = points->look(progress); !looked)
-      return looked.error();
+    VOXC_TRY(points->look(progress));
     return std::unique_ptr<PointList>(std::move(points));
   }
   auto copied = std::make_unique<CopiedPoints>(reader.header(), vertices, memory);
-  if (auto filled = copied->fill(reader, progress); !filled)
-    return filled.error();
+  VOXC_TRY(copied->fill(reader, progress));
   return std::unique_ptr<PointList>(std::move(copied));
 }
 

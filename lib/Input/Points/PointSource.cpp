@@ -11,7 +11,6 @@
 #include <glm/vector_relational.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <utility>
@@ -99,17 +98,13 @@ public:
     if (problem)
       return *problem;
     const Bounds box = chosen(bounds.bounds().value_or(Bounds{}));
-    const auto side = voxelSide(options_, 0);
-    if (!side)
-      return side.error();
-    FrameOptions choice{box, options_.resolution, modelExtent(options_), options_.zUp, *side, {}};
+    const auto side = VOXC_TRY(voxelSide(options_, 0));
+    FrameOptions choice{box, options_.resolution, modelExtent(options_), options_.zUp, side, {}};
     if (options_.align)
       choice.align = glm::dvec3((*options_.align)[0], (*options_.align)[1], (*options_.align)[2]);
-    const auto frame = ModelFrame::fit(choice);
-    if (!frame)
-      return frame.error();
-    return place(frame->extent(), frame->voxelToModel(),
-                 [&](const Position &position) { return voxelAt(vectorOf(position), box, *frame); });
+    const auto frame = VOXC_TRY(ModelFrame::fit(choice));
+    return place(frame.extent(), frame.voxelToModel(),
+                 [&](const Position &position) { return voxelAt(vectorOf(position), box, frame); });
   }
 
 private:
@@ -137,26 +132,21 @@ private:
   /// Sorts the points into their chunks; `voxelOf` may say that one has no voxel.
   template <typename VoxelOf>
   Expected<std::unique_ptr<VoxelSource>> place(Int3 extent, const Transform &voxelToModel, VoxelOf voxelOf) {
-    auto voxels = BinnedVoxels::create(extent, options_.memory);
-    if (!voxels)
-      return voxels.error();
+    auto voxels = VOXC_TRY(BinnedVoxels::create(extent, options_.memory));
     const auto count = [&](const PlyPoint &point, std::uint64_t) {
       if (const std::optional<Int3> voxel = voxelOf(point.position))
-        voxels->count(*voxel);
+        voxels.count(*voxel);
       return true;
     };
     const auto add = [&](const PlyPoint &point, std::uint64_t) {
       if (const std::optional<Int3> voxel = voxelOf(point.position))
-        voxels->place(*voxel, point.word);
+        voxels.place(*voxel, point.word);
       return true;
     };
-    if (auto counted = pass(count); !counted)
-      return counted.error();
-    if (auto allocated = voxels->allocate(); !allocated)
-      return allocated.error();
-    if (auto added = pass(add); !added)
-      return added.error();
-    return std::move(*voxels).finish(voxelToModel);
+    VOXC_TRY(pass(count));
+    VOXC_TRY(voxels.allocate());
+    VOXC_TRY(pass(add));
+    return std::move(voxels).finish(voxelToModel);
   }
 
   Bounds chosen(const Bounds &found) const {
@@ -199,13 +189,10 @@ Expected<PointVoxels> placePoints(const PointList &points, bool areIndices, cons
     return Error::usage("--colour is for meshes, and would do nothing for points; leave it out");
   if (areIndices && (options.voxelSize.value > 0 || options.align))
     return Error::usage(
-        "--voxel-size and --align would do nothing for points whose coordinates are voxels; leave "
-        "them out");
+        "--voxel-size and --align would do nothing for points whose coordinates are voxels; leave them out");
   PointPlacer placer(points, options, broken);
-  auto source = areIndices ? placer.placeIndices() : placer.placePositions();
-  if (!source)
-    return source.error();
-  PointVoxels voxels{std::move(*source), areIndices, {}, {}};
+  auto source = VOXC_TRY(areIndices ? placer.placeIndices() : placer.placePositions());
+  PointVoxels voxels{std::move(source), areIndices, {}, {}};
   if (options.describe)
     voxels.facts = {countFact("points", points.size()),
                     {"coordinates", areIndices ? "whole numbers, which are voxels" : "of a model", {}},

@@ -48,8 +48,7 @@ public:
       colour.measure(NearestPoints(cursor.corners()));
       colour.at(std::span(&corner, 1), words);
       const glm::dvec3 place = cursor.corners()[0];
-      if (auto pushed = points_.push({{place.x, place.y, place.z}, words[0]}); !pushed)
-        return pushed;
+      VOXC_TRY(points_.push({{place.x, place.y, place.z}, words[0]}));
       hasColours_ = hasColours_ || words[0] != 0xffffffff;
     }
     return {};
@@ -73,8 +72,7 @@ bool isOfPoints(const TriangleScene &scene) {
 Expected<std::unique_ptr<PointList>>
 pointsOf(const TriangleScene &scene, const std::shared_ptr<WorkingMemory> &memory, const Progress &progress) {
   auto points = std::make_unique<ScenePoints>(memory);
-  if (auto filled = points->fill(scene, progress); !filled)
-    return filled.error();
+  VOXC_TRY(points->fill(scene, progress));
   return std::unique_ptr<PointList>(std::move(points));
 }
 

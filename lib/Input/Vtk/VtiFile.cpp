@@ -44,8 +44,7 @@ public:
     XML_SetElementHandler(parser_.get(), onBegin, onEnd);
     XML_SetCharacterDataHandler(parser_.get(), onText);
     XML_SetStartDoctypeDeclHandler(parser_.get(), onDoctype);
-    if (auto parsed = parse(); !parsed)
-      return parsed.error();
+    VOXC_TRY(parse());
     if (!isImage_)
       return Error::input("its XML has no element VTKFile");
     if (file_.pieces.empty())

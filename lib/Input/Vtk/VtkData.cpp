@@ -36,8 +36,7 @@ public:
   Expected<std::size_t> readSome(std::span<std::byte> target) override {
     for (std::size_t done = 0; done < target.size(); ++done) {
       if (at_ == count_)
-        if (auto decoded = decode(); !decoded)
-          return decoded.error();
+        VOXC_TRY(decode());
       if (at_ == count_)
         return done;
       target[done] = bytes_[at_++];
@@ -81,10 +80,8 @@ private:
 Expected<std::uint64_t> readHeaderNumber(ByteStream &stream, const VtiFile &file) {
   std::array<std::byte, 8> bytes{};
   const auto size = static_cast<std::size_t>(file.headerBytes);
-  const auto read = stream.readSome(std::span(bytes).first(size));
-  if (!read)
-    return read.error();
-  if (*read < size)
+  const auto read = VOXC_TRY(stream.readSome(std::span(bytes).first(size)));
+  if (read < size)
     return Error::input("its data end before they say how long they are");
   std::uint64_t number = 0;
   for (std::size_t i = 0; i < size; ++i)
@@ -106,12 +103,8 @@ struct PackedBlocks {
 
 Expected<PackedBlocks> readBlocks(ByteStream &stream, const VtiFile &file, std::uint64_t bytes) {
   std::array<std::uint64_t, 3> head{};
-  for (std::uint64_t &number : head) {
-    const auto read = readHeaderNumber(stream, file);
-    if (!read)
-      return read.error();
-    number = *read;
-  }
+  for (std::uint64_t &number : head)
+    number = VOXC_TRY(readHeaderNumber(stream, file));
   const auto [count, size, last] = head;
   const std::uint64_t most = stream.mostBytes() / static_cast<std::uint64_t>(file.headerBytes);
   if (count > most || (count > 0 && (size == 0 || (count - 1) > bytes / size || last > size)))
@@ -123,10 +116,8 @@ Expected<PackedBlocks> readBlocks(ByteStream &stream, const VtiFile &file, std::
   if (all != bytes)
     return otherSize(all, bytes);
   for (std::uint64_t i = 0; i < count; ++i) {
-    const auto packed = readHeaderNumber(stream, file);
-    if (!packed)
-      return packed.error();
-    blocks.packed.push_back(*packed);
+    const auto packed = VOXC_TRY(readHeaderNumber(stream, file));
+    blocks.packed.push_back(packed);
   }
   return blocks;
 }
@@ -139,25 +130,19 @@ Expected<VtkNumbers> stored(VtkBytes cells, bool isBigEndian) {
 Expected<VtkNumbers> inflateBlocks(ByteStream &stream, const VtiFile &file, std::uint64_t bytes,
                                    const InputOptions &options) {
   constexpr std::uint64_t kMostPerByte = 1040; // zlib makes no more of one.
-  const auto blocks = readBlocks(stream, file, bytes);
-  if (!blocks)
-    return blocks.error();
+  const auto blocks = VOXC_TRY(readBlocks(stream, file, bytes));
   VtkBytes cells(options.memory), packed(options.memory);
-  for (std::size_t i = 0; i < blocks->packed.size(); ++i) {
-    const std::uint64_t size = i + 1 == blocks->packed.size() ? blocks->last : blocks->bytes;
-    if (auto emptied = packed.resize(0); !emptied)
-      return emptied.error();
-    if (auto read = appendBytes(stream, blocks->packed[i], packed, *options.memory, options.progress); !read)
-      return read.error();
+  for (std::size_t i = 0; i < blocks.packed.size(); ++i) {
+    const std::uint64_t size = i + 1 == blocks.packed.size() ? blocks.last : blocks.bytes;
+    VOXC_TRY(packed.resize(0));
+    VOXC_TRY(appendBytes(stream, blocks.packed[i], packed, *options.memory, options.progress));
     if (size / kMostPerByte > packed.size())
       return Error::input("a compressed block of " + std::to_string(packed.size()) + " bytes cannot hold " +
                           std::to_string(size));
     const std::uint64_t begin = cells.size();
-    if (auto sized = cells.resize(begin + size); !sized)
-      return sized.error();
+    VOXC_TRY(cells.resize(begin + size));
     GzipReader reader(std::as_const(packed).span(), GzipReader::Wrapping::Zlib);
-    if (auto read = reader.read(cells.span().subspan(begin, size)); !read)
-      return read.error();
+    VOXC_TRY(reader.read(cells.span().subspan(begin, size)));
     options.memory->relieve(size);
   }
   return stored(std::move(cells), file.isBigEndian);
@@ -166,13 +151,10 @@ Expected<VtkNumbers> inflateBlocks(ByteStream &stream, const VtiFile &file, std:
 Expected<VtkNumbers> readText(const VtkArray &array, std::uint64_t bytes, const InputOptions &options) {
   const auto stream = makeTextStream(std::as_bytes(std::span(array.text)), *array.type);
   VtkBytes cells(options.memory);
-  if (auto read = appendBytes(*stream, bytes, cells, *options.memory, options.progress); !read)
-    return read.error();
+  VOXC_TRY(appendBytes(*stream, bytes, cells, *options.memory, options.progress));
   std::byte more{};
-  const auto behind = stream->readSome(std::span(&more, 1));
-  if (!behind)
-    return behind.error();
-  if (*behind != 0)
+  const auto behind = VOXC_TRY(stream->readSome(std::span(&more, 1)));
+  if (behind != 0)
     return Error::input("an array has more numbers than the " +
                         std::to_string(bytes / byteSize(*array.type)) + " of its extent");
   return stored(std::move(cells), std::endian::native == std::endian::big);
@@ -196,19 +178,16 @@ Expected<VtkNumbers> readVtkNumbers(const VtiFile &file, const VtkArray &array, 
   if (!file.compressor.empty())
     return Error::input("its data are compressed by " + file.compressor.substr(0, 80) +
                         "; voxc reads those of vtkZLibDataCompressor, and those without");
-  const auto size = readHeaderNumber(*stream, file);
-  if (!size)
-    return size.error();
-  if (*size != bytes)
-    return otherSize(*size, bytes);
+  const auto size = VOXC_TRY(readHeaderNumber(*stream, file));
+  if (size != bytes)
+    return otherSize(size, bytes);
   const auto head = static_cast<std::size_t>(file.headerBytes);
   if (isRaw && text.size() - head < bytes)
     return Error::input("its data end within an array of " + std::to_string(bytes) + " bytes");
   if (isRaw)
     return VtkNumbers{reinterpret_cast<const std::byte *>(text.data()) + head, nullptr, file.isBigEndian};
   VtkBytes cells(options.memory);
-  if (auto read = appendBytes(*stream, bytes, cells, *options.memory, options.progress); !read)
-    return read.error();
+  VOXC_TRY(appendBytes(*stream, bytes, cells, *options.memory, options.progress));
   return stored(std::move(cells), file.isBigEndian);
 }
 

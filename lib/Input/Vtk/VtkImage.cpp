@@ -60,27 +60,23 @@ Expected<SampleBox> boxOf(const VtkExtent &extent, bool ofCells) {
 
 /// Error: pieces leave a cell out, or have it twice. Neighbours share points.
 Expected<void> checkTiles(const VtiFile &file) {
-  const auto whole = boxOf(file.whole, true);
-  if (!whole)
-    return whole.error();
+  const auto whole = VOXC_TRY(boxOf(file.whole, true));
   std::vector<SampleBox> boxes;
   std::uint64_t cells = 0;
   for (const VtkPiece &piece : file.pieces) {
-    const auto box = boxOf(piece.extent, true);
-    if (!box)
-      return box.error();
+    const auto box = VOXC_TRY(boxOf(piece.extent, true));
     const bool isApart =
-        std::ranges::none_of(boxes, [&](const SampleBox &other) { return other.meets(*box); });
-    if (!whole->holds(*box) || !isApart)
+        std::ranges::none_of(boxes, [&](const SampleBox &other) { return other.meets(box); });
+    if (!whole.holds(box) || !isApart)
       return Error::input("its piece of the extent " + toText(piece.extent) +
                           " lies outside of the whole extent " + toText(file.whole) +
                           ", or in another piece; pieces should tile it");
-    boxes.push_back(*box);
-    cells += box->count();
+    boxes.push_back(box);
+    cells += box.count();
   }
-  if (cells != whole->count())
+  if (cells != whole.count())
     return Error::input("its pieces have " + std::to_string(cells) + " of the " +
-                        std::to_string(whole->count()) + " cells of its extent " + toText(file.whole) +
+                        std::to_string(whole.count()) + " cells of its extent " + toText(file.whole) +
                         "; they should tile it");
   return {};
 }
@@ -156,24 +152,17 @@ Expected<VtkNumbers> readPieces(const VtiFile &file, const VtkArray &wanted, con
                                 std::size_t bytes, const InputOptions &options) {
   std::vector<std::pair<SampleBox, VtkNumbers>> parts;
   for (const VtkPiece &piece : file.pieces) {
-    const auto array = sameArray(piece, wanted);
-    if (!array)
-      return array.error();
-    const auto box = boxOf(piece.extent, wanted.isOfCells);
-    if (!box)
-      return box.error();
-    auto numbers = readVtkNumbers(file, **array, box->count() * bytes, options);
-    if (!numbers)
-      return numbers.error();
-    if (!parts.empty() && numbers->isBigEndian != parts.front().second.isBigEndian)
+    const auto array = VOXC_TRY(sameArray(piece, wanted));
+    const auto box = VOXC_TRY(boxOf(piece.extent, wanted.isOfCells));
+    auto numbers = VOXC_TRY(readVtkNumbers(file, *array, box.count() * bytes, options));
+    if (!parts.empty() && numbers.isBigEndian != parts.front().second.isBigEndian)
       return Error::input("its pieces have an array as text in one and as bytes in another");
-    parts.emplace_back(*box, std::move(*numbers));
+    parts.emplace_back(box, std::move(numbers));
   }
   if (parts.size() == 1)
     return std::move(parts.front().second);
   VtkBytes cells(options.memory);
-  if (auto sized = cells.resize(whole.count() * bytes); !sized)
-    return sized.error();
+  VOXC_TRY(cells.resize(whole.count() * bytes));
   for (auto &[box, numbers] : parts) {
     if (options.progress.stopped())
       return Error::interrupted();
@@ -222,24 +211,18 @@ void tellFields(const VtiFile &file, std::vector<std::string> &warnings) {
 
 Expected<DenseVolume> readVtkImage(const VtiFile &file, std::shared_ptr<const WatchedFile> source,
                                    const InputOptions &options) {
-  if (auto tiled = checkTiles(file); !tiled)
-    return tiled.error();
+  VOXC_TRY(checkTiles(file));
   DenseVolume volume;
-  const auto chosen = chooseArray(file, options, volume.warnings);
-  if (!chosen)
-    return chosen.error();
-  const VtkArray &array = file.pieces.front().arrays[*chosen];
-  const auto box = boxOf(file.whole, array.isOfCells);
-  if (!box)
-    return box.error();
+  const auto chosen = VOXC_TRY(chooseArray(file, options, volume.warnings));
+  const VtkArray &array = file.pieces.front().arrays[chosen];
+  const auto box = VOXC_TRY(boxOf(file.whole, array.isOfCells));
   for (int axis = 0; axis < 3; ++axis)
-    volume.extent[axis] = static_cast<std::int32_t>(box->size[static_cast<std::size_t>(axis)]);
+    volume.extent[axis] = static_cast<std::int32_t>(box.size[static_cast<std::size_t>(axis)]);
   volume.layout.type = *array.type;
-  if (auto possible = sampleBytes(volume.extent, volume.layout); !possible)
-    return possible.error();
+  VOXC_TRY(sampleBytes(volume.extent, volume.layout));
   constexpr std::int64_t kMostComponents = 1024;
   constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 48;
-  if (box->count() > kMostSamples)
+  if (box.count() > kMostSamples)
     return Error::input("its extent " + toText(file.whole) + " has more samples than any file");
   if (array.components > kMostComponents)
     return Error::input("its array '" + called(array) + "' has " + std::to_string(array.components) +
@@ -249,28 +232,21 @@ Expected<DenseVolume> readVtkImage(const VtiFile &file, std::shared_ptr<const Wa
   const auto size = static_cast<std::int64_t>(byteSize(*array.type));
   std::uint64_t component = 0;
   if (!areColours) {
-    const auto picked = chooseVolume(static_cast<std::uint64_t>(array.components), options, volume.warnings);
-    if (!picked)
-      return picked.error();
-    component = *picked;
+    component =
+        VOXC_TRY(chooseVolume(static_cast<std::uint64_t>(array.components), options, volume.warnings));
   }
   const std::int64_t cell = size * array.components;
-  auto numbers = readPieces(file, array, *box, static_cast<std::size_t>(cell), options);
-  if (!numbers)
-    return numbers.error();
-  volume.layout.bigEndian = numbers->isBigEndian;
-  volume.samples = numbers->first + static_cast<std::int64_t>(component) * size;
-  volume.storage = numbers->storage ? std::move(numbers->storage) : std::move(source);
+  auto numbers = VOXC_TRY(readPieces(file, array, box, static_cast<std::size_t>(cell), options));
+  volume.layout.bigEndian = numbers.isBigEndian;
+  volume.samples = numbers.first + static_cast<std::int64_t>(component) * size;
+  volume.storage = numbers.storage ? std::move(numbers.storage) : std::move(source);
   if (array.components > 1)
     volume.steps = {cell, cell * volume.extent.x, cell * volume.extent.x * volume.extent.y};
   if (areColours) {
     volume.channels = static_cast<int>(array.components);
     volume.channelStep = size;
   }
-  const auto place = placeOf(file, *box, array.isOfCells, volume.warnings);
-  if (!place)
-    return place.error();
-  volume.sampleToModel = *place;
+  volume.sampleToModel = VOXC_TRY(placeOf(file, box, array.isOfCells, volume.warnings));
   tellFields(file, volume.warnings);
   return volume;
 }

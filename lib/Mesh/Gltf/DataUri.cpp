@@ -49,8 +49,7 @@ Expected<ScratchArray<std::byte>> decodeDataUri(std::string_view uri, std::share
   for (int padding = 0; padding < 2 && text.ends_with('='); ++padding)
     text.remove_suffix(1);
   ScratchArray<std::byte> bytes(std::move(memory));
-  if (auto resized = bytes.resize(text.size() / 4 * 3 + text.size() % 4 * 3 / 4); !resized)
-    return resized.error();
+  VOXC_TRY(bytes.resize(text.size() / 4 * 3 + text.size() % 4 * 3 / 4));
   if (!decodeBase64(text, bytes.data()))
     return Error::input("its data URI is not in base 64");
   return bytes;

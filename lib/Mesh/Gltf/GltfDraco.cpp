@@ -116,8 +116,7 @@ Expected<void> copyRows(const draco::PointAttribute &attribute, std::uint32_t po
   const bool isMapped = attribute.is_mapping_identity() || attribute.indices_map_size() >= points;
   if (!isMapped || bytes == 0)
     return Error::input("has data whose attributes point nowhere");
-  if (auto resized = rows.resize(points * bytes); !resized)
-    return resized;
+  VOXC_TRY(rows.resize(points * bytes));
   for (std::uint32_t point = 0; point < points; ++point) {
     const auto at = attribute.mapped_index(draco::PointIndex(point));
     if (at.value() >= attribute.size() || !attribute.IsAddressValid(attribute.GetAddress(at) + bytes - 1))
@@ -128,8 +127,7 @@ Expected<void> copyRows(const draco::PointAttribute &attribute, std::uint32_t po
 }
 
 Expected<void> copyIndices(const draco::Mesh &mesh, ScratchArray<std::uint32_t> &indices) {
-  if (auto resized = indices.resize(std::uint64_t{3} * mesh.num_faces()); !resized)
-    return resized;
+  VOXC_TRY(indices.resize(std::uint64_t{3} * mesh.num_faces()));
   for (std::uint32_t face = 0; face < mesh.num_faces(); ++face)
     for (std::uint32_t corner = 0; corner < 3; ++corner)
       indices[std::uint64_t{3} * face + corner] = mesh.face(draco::FaceIndex(face))[corner].value();

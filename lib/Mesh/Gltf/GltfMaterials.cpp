@@ -106,9 +106,9 @@ void GltfMaterials::readTransmission(const GltfObject &json, Material &material)
   const auto metal =
       json.object("pbrMetallicRoughness").object("metallicRoughnessTexture").index("index", textureList_);
   if (index != metal)
-    return context_.warnings.add(json.name() +
-                                 " lets light through by another texture than that of metal and roughness, "
-                                 "which is left out");
+    return context_.warnings.add(
+        json.name() +
+        " lets light through by another texture than that of metal and roughness, which is left out");
   material.hasMetal = true;
   material.clear = static_cast<float>(factor);
 }

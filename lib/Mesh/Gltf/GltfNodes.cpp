@@ -54,10 +54,10 @@ private:
       if (nodes_[node].has("mesh"))
         ++(wasReached_[node] ? placed : others);
     if (placed == 0 && meshes_.list().size() != 0 && !context_.problem)
-      context_.problem.set(others == 0
-                               ? "its meshes are placed by no node; give each a node in the scene"
-                               : "all its nodes that have a mesh are hidden, or are not reached from the "
-                                 "scene that is shown");
+      context_.problem.set(
+          others == 0
+              ? "its meshes are placed by no node; give each a node in the scene"
+              : "all its nodes that have a mesh are hidden, or are not reached from the scene that is shown");
     warnOfMeshes();
     if (others != 0)
       context_.warnings.add("meshes that are hidden or outside of the scene that is shown are left out: " +

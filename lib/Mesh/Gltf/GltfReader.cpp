@@ -53,19 +53,15 @@ void readModel(GltfContext &context) {
 } // namespace
 
 Expected<TriangleScene> readGltf(const MeshInput &input) {
-  const auto parts = splitGltf(input.file->bytes());
-  if (!parts)
-    return parts.error();
+  const auto parts = VOXC_TRY(splitGltf(input.file->bytes()));
   const ResidentGrowth growth;
-  const auto document = JsonDocument::parse(parts->json);
-  if (!document)
-    return document.error();
+  const auto document = VOXC_TRY(JsonDocument::parse(parts.json));
   TriangleScene scene;
   scene.loaderPeakBytes = growth.bytes();
   Warnings warnings;
   Problem problem;
-  GltfContext context{GltfObject(document->root(), "", problem),
-                      parts->binary,
+  GltfContext context{GltfObject(document.root(), "", problem),
+                      parts.binary,
                       input.file->bytes().size(),
                       GltfUris(input.folder(), warnings),
                       input.memory,
@@ -73,8 +69,8 @@ Expected<TriangleScene> readGltf(const MeshInput &input) {
                       warnings,
                       problem,
                       input.wantsMetal};
-  if (parts->others != 0)
-    warnings.add(countedAre(parts->others, "byte") +
+  if (parts.others != 0)
+    warnings.add(countedAre(parts.others, "byte") +
                  " left out, of chunks that are not known or behind the last chunk");
   readModel(context);
   if (problem)

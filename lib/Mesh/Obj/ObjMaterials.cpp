@@ -113,8 +113,7 @@ void ObjMaterials::makeEmission(const std::string &name, const MtlMaterial &foun
     material.emission.fill(1);
     if (found.emission)
       warnings_.add("the material '" + name +
-                    "' has the Ke 0 beside a texture of what it gives off, which is "
-                    "taken as it is");
+                    "' has the Ke 0 beside a texture of what it gives off, which is taken as it is");
   }
   material.emissionStrength = std::max(std::ranges::max(material.emission), 1.0f);
   for (float &channel : material.emission)

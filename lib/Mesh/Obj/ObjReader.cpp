@@ -214,9 +214,8 @@ private:
     if (hasSurplus_)
       warnings_.add("vertices have numbers beside x, y, z and a colour, which are not used");
     if (haveWeights_ == false)
-      warnings_.add(
-          "vertices have seven numbers, which are taken as x, y, z, red, green, blue and alpha; the "
-          "alpha is left out");
+      warnings_.add("vertices have seven numbers, which are taken as x, y, z, red, green, blue and alpha; "
+                    "the alpha is left out");
     const ColourScale &scale = geometry_.colourScale();
     if (scale.whole() != 1)
       warnings_.add("the colours of vertices are not below 1, and are taken as numbers that count to " +

@@ -4,7 +4,6 @@
 #include "Support/Text.h"
 
 #include <algorithm>
-#include <span>
 #include <vector>
 
 namespace voxc {

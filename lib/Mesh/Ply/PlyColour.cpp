@@ -123,12 +123,10 @@ Expected<void> lookAtColours(const PlyReader &reader, const PlyElement &element,
                              const std::function<Expected<void>(std::uint64_t row)> &stopped) {
   if (!colour.needsLook())
     return {};
-  auto again = reader.reopened();
-  if (!again)
-    return again.error();
+  auto again = VOXC_TRY(reader.reopened());
   const auto place = static_cast<std::size_t>(&element - reader.header().elements.data());
-  const PlyElement &same = again->header().elements[place];
-  return again->readRows(
+  const PlyElement &same = again.header().elements[place];
+  return again.readRows(
       [&](const PlyElement &other, std::uint64_t index, const PlyRow &row) -> Expected<void> {
         if (&other == &same)
           colour.look(row);

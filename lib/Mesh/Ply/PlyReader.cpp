@@ -34,10 +34,8 @@ PlyReader::PlyReader(std::string path, MappedFile file)
       rest_(reinterpret_cast<const char *>(file_.bytes().data()), file_.bytes().size()) {}
 
 Expected<PlyReader> PlyReader::open(const std::string &path) {
-  auto file = MappedFile::open(path);
-  if (!file)
-    return file.error();
-  PlyReader reader(path, std::move(*file));
+  auto file = VOXC_TRY(MappedFile::open(path));
+  PlyReader reader(path, std::move(file));
   auto header = readPlyHeader(reader.rest_);
   if (!header)
     return reader.broken(header.error().message);
@@ -61,8 +59,7 @@ std::uint64_t PlyReader::capacity(std::uint64_t bytes) const {
 
 Expected<void> PlyReader::readRows(const Visit &visit) {
   for (const PlyElement &element : header_.elements)
-    if (auto read = readElement(element, visit); !read)
-      return read;
+    VOXC_TRY(readElement(element, visit));
   return {};
 }
 
@@ -82,8 +79,7 @@ Expected<void> PlyReader::readElement(const PlyElement &element, const Visit &vi
   for (std::uint64_t index = 0; index < element.count; ++index) {
     if (!readRow(element, row))
       return broken("row " + std::to_string(index) + " of '" + element.name + "' is cut short or malformed");
-    if (auto visited = visit(element, index, row); !visited)
-      return visited;
+    VOXC_TRY(visit(element, index, row));
   }
   return {};
 }

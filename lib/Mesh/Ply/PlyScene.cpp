@@ -126,9 +126,9 @@ private:
       warnings.add(countedAre(cutter_.badFans(), "face") +
                    " cut into fans, which may cover more, as the corners lie in too tangled a way");
     if (looks_.badFaces() != 0)
-      warnings.add(countedAre(looks_.badFaces(), "face") +
-                   " without a texture: it is not there, or there are not as many texture coordinates as "
-                   "corners");
+      warnings.add(
+          countedAre(looks_.badFaces(), "face") +
+          " without a texture: it is not there, or there are not as many texture coordinates as corners");
     for (const std::string &sentence : {vertices_.colour().warning(), looks_.colour().warning()})
       if (!sentence.empty())
         warnings.add(sentence);
@@ -218,26 +218,23 @@ private:
 } // namespace
 
 Expected<TriangleScene> readPlyScene(const MeshInput &input) {
-  auto reader = PlyReader::open(input.path);
-  if (!reader)
-    return reader.error();
-  SceneBuilder builder(reader->header(), input);
+  auto reader = VOXC_TRY(PlyReader::open(input.path));
+  SceneBuilder builder(reader.header(), input);
   if (std::string missing = builder.missing(); !missing.empty())
-    return reader->broken(missing);
-  const Watch watch(reader->bytes(), *input.memory);
-  if (auto looked = builder.lookAhead(*reader); !looked)
-    return looked.error();
-  auto read = reader->readRows(
+    return reader.broken(missing);
+  const Watch watch(reader.bytes(), *input.memory);
+  VOXC_TRY(builder.lookAhead(reader));
+  auto read = reader.readRows(
       [&](const PlyElement &element, std::uint64_t index, const PlyRow &row) -> Expected<void> {
         builder.add(element, index, row);
         return builder.problem() ? Expected<void>(builder.problem().error()) : Expected<void>();
       });
   if (builder.problem() && builder.problem().error().kind == ErrorKind::Input)
-    return reader->broken(builder.problem().error().message);
+    return reader.broken(builder.problem().error().message);
   if (!read)
     return read.error();
   TriangleScene scene = builder.take();
-  if (const std::uint64_t bytes = reader->bytesBehind(); bytes != 0)
+  if (const std::uint64_t bytes = reader.bytesBehind(); bytes != 0)
     scene.warnings.push_back(countedAre(bytes, "byte") + " left out, which lie behind the last element");
   return builder.problem() ? Expected<TriangleScene>(builder.problem().error())
                            : Expected<TriangleScene>(std::move(scene));

@@ -30,8 +30,7 @@ public:
   bool empty(const Cube &cube) override { return cells_[0]->none(cube) && cells_[1]->none(cube); }
 
   Expected<void> read(const Cube &cube, std::uint32_t *words) override {
-    if (auto done = surface_->read(cube, words); !done)
-      return done;
+    VOXC_TRY(surface_->read(cube, words));
     const std::uint64_t count = cellCount(cube.log2Side);
     std::array<std::uint32_t, 512> inside;
     std::fill_n(inside.begin(), count, 0u);

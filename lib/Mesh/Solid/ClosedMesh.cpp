@@ -36,10 +36,8 @@ public:
 
   Expected<void> close() {
     mesh_.caps = mesh_.twinCaps = mesh_.model.numbers.size();
-    if (auto closed = closeAll(); !closed)
-      return closed;
-    if (auto closed = closeTwins(); !closed)
-      return closed;
+    VOXC_TRY(closeAll());
+    VOXC_TRY(closeTwins());
     mesh_.model.numbers = TriangleNumbers(shape_);
     mesh_.scene = std::make_shared<TriangleScene>(std::move(shape_));
     return {};
@@ -48,72 +46,57 @@ public:
 private:
   /// Of all triangles: by the way that they turn, if that leaves small holes, else whichever way.
   Expected<void> closeAll() {
-    const auto balance = EdgeBalance::of(scene_, mesh_.model, memory_, progress_);
-    if (!balance)
-      return balance.error();
-    mesh_.rule = balance->rule;
-    mesh_.open = balance->open;
-    if (balance->rule != SolidRule::Enclosure || !balance->areRimsAll)
+    const auto balance = VOXC_TRY(EdgeBalance::of(scene_, mesh_.model, memory_, progress_));
+    mesh_.rule = balance.rule;
+    mesh_.open = balance.open;
+    if (balance.rule != SolidRule::Enclosure || !balance.areRimsAll)
       return {};
-    const auto area = areaOf(scene_, mesh_.model, nullptr, *memory_, progress_);
-    if (!area)
-      return area.error();
+    const auto area = VOXC_TRY(areaOf(scene_, mesh_.model, nullptr, *memory_, progress_));
     for (const bool isEither : {false, true}) {
-      const HoleCaps caps = HoleCaps::of(balance->rims, isEither, mesh_.model);
-      if (!caps.isSmall(*area))
+      const HoleCaps caps = HoleCaps::of(balance.rims, isEither, mesh_.model);
+      if (!caps.isSmall(area))
         continue;
       mesh_.rule = isEither ? SolidRule::Parity : SolidRule::Winding;
-      return add(caps, *area, mesh_.twinCaps);
+      return add(caps, area, mesh_.twinCaps);
     }
     return {};
   }
 
   /// Of triangles that lie on others, which wind around nothing, or, if these are not closed, of such quads.
   Expected<void> closeTwins() {
-    auto twins = findTwins(scene_, mesh_.model, memory_, progress_);
-    if (!twins)
-      return twins.error();
-    mesh_.twins = std::move(*twins);
+    mesh_.twins = VOXC_TRY(findTwins(scene_, mesh_.model, memory_, progress_));
     if (auto closed = closeSetOfTwins(); !closed || mesh_.hasTwins)
       return closed;
-    const auto isLittle = hasLittleVolume(scene_, mesh_.model, *memory_, progress_);
+    const auto isLittle = VOXC_TRY(hasLittleVolume(scene_, mesh_.model, *memory_, progress_));
     if (!isLittle)
-      return isLittle.error();
-    if (!*isLittle)
       return {};
-    const auto hasMore = addTwinQuads(mesh_.twins, scene_, mesh_.model, memory_, progress_);
-    if (!hasMore)
-      return hasMore.error();
-    return *hasMore ? closeSetOfTwins() : Expected<void>();
+    const auto hasMore = VOXC_TRY(addTwinQuads(mesh_.twins, scene_, mesh_.model, memory_, progress_));
+    return hasMore ? closeSetOfTwins() : Expected<void>();
   }
 
   Expected<void> closeSetOfTwins() {
     if (mesh_.twins.empty())
       return {};
-    const auto balance = EdgeBalance::ofEither(mesh_.twins, scene_, mesh_.model, memory_, progress_);
-    if (!balance)
-      return balance.error();
-    mesh_.hasTwins = balance->rule == SolidRule::Parity;
-    if (mesh_.hasTwins || !balance->areRimsAll)
+    const auto balance =
+        VOXC_TRY(EdgeBalance::ofEither(mesh_.twins, scene_, mesh_.model, memory_, progress_));
+    mesh_.hasTwins = balance.rule == SolidRule::Parity;
+    if (mesh_.hasTwins || !balance.areRimsAll)
       return {};
-    const auto area = areaOf(scene_, mesh_.model, &mesh_.twins, *memory_, progress_);
-    if (!area)
-      return area.error();
-    const HoleCaps caps = HoleCaps::of(balance->rims, true, mesh_.model);
-    if (!caps.isSmall(*area))
+    const auto area = VOXC_TRY(areaOf(scene_, mesh_.model, &mesh_.twins, *memory_, progress_));
+    const HoleCaps caps = HoleCaps::of(balance.rims, true, mesh_.model);
+    if (!caps.isSmall(area))
       return {};
     mesh_.hasTwins = true;
     if (mesh_.open.count == 0)
-      mesh_.open = balance->open;
+      mesh_.open = balance.open;
     std::uint64_t end = 0;
-    return add(caps, *area, end);
+    return add(caps, area, end);
   }
 
   /// Adds a part, and sets `end` to the number of the triangle after its last one.
   Expected<void> add(const HoleCaps &caps, double area, std::uint64_t &end) {
     ScratchArray<std::array<double, 3>> corners(memory_);
-    if (auto kept = corners.append(caps.corners); !kept)
-      return kept;
+    VOXC_TRY(corners.append(caps.corners));
     MeshPart part;
     part.positions = keep(std::move(corners), kDoubleRows3, shape_);
     shape_.instances.push_back({static_cast<std::uint32_t>(shape_.parts.size()), {}});
@@ -136,8 +119,7 @@ private:
 Expected<ClosedMesh> ClosedMesh::of(const TriangleScene &scene, const MeshModel &model,
                                     const std::shared_ptr<WorkingMemory> &memory, const Progress &progress) {
   ClosedMesh mesh{nullptr, model, SolidRule::Enclosure, false, TriangleSet(memory), 0, 0, 0, 0, {}};
-  if (auto closed = Closer(mesh, scene, memory, progress).close(); !closed)
-    return closed.error();
+  VOXC_TRY(Closer(mesh, scene, memory, progress).close());
   return mesh;
 }
 

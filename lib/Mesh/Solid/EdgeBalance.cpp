@@ -51,8 +51,7 @@ public:
   Expected<EdgeBalance> run() {
     const std::uint64_t buckets =
         std::bit_ceil(std::clamp(model_.numbers.size() / 2, kFewestBuckets, kMostBuckets));
-    if (auto sized = buckets_.resize(buckets); !sized)
-      return sized.error();
+    VOXC_TRY(buckets_.resize(buckets));
     auto summed = forEachEdge([&](const Edge &edge) -> Expected<void> {
       Bucket &bucket = bucketOf(edge);
       bucket.sum += edge.way() > 0 ? edge.hash : 0 - edge.hash;
@@ -69,8 +68,7 @@ public:
       return balance;
     }
     balance.rule = isEven ? SolidRule::Parity : SolidRule::Enclosure;
-    if (auto found = findOpen(balance); !found)
-      return found.error();
+    VOXC_TRY(findOpen(balance));
     return balance;
   }
 
@@ -91,8 +89,7 @@ private:
         if (isBackwards)
           std::swap(ends[0], ends[1]);
         const Edge edge{hashOf(ends), 16 * number + 4 * from + mirrored + isBackwards};
-        if (auto visited = visit(edge); !visited)
-          return visited;
+        VOXC_TRY(visit(edge));
       }
       return {};
     };

@@ -60,17 +60,13 @@ Expected<double> areaOf(const TriangleScene &scene, const MeshModel &model, cons
 
 Expected<Facing> facingOf(const TriangleScene &scene, const MeshModel &model,
                           const std::shared_ptr<WorkingMemory> &memory, const Progress &progress) {
-  const auto balance = EdgeBalance::of(scene, model, memory, progress);
-  if (!balance)
-    return balance.error();
-  if (!balance->areRimsAll)
+  const auto balance = VOXC_TRY(EdgeBalance::of(scene, model, memory, progress));
+  if (!balance.areRimsAll)
     return Facing::Unknown;
-  const HoleCaps caps = HoleCaps::of(balance->rims, false, model);
+  const HoleCaps caps = HoleCaps::of(balance.rims, false, model);
   if (caps.holes != 0) {
-    const auto area = areaOf(scene, model, nullptr, *memory, progress);
-    if (!area)
-      return area.error();
-    if (!caps.isSmall(*area))
+    const auto area = VOXC_TRY(areaOf(scene, model, nullptr, *memory, progress));
+    if (!caps.isSmall(area))
       return Facing::Unknown;
   }
   Uint128 volume = volumeOf(caps.corners, model.grid);

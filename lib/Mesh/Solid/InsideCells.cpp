@@ -29,8 +29,7 @@ Expected<ScratchArray<BrickCells>> bricksOf(const ScratchArray<std::uint64_t> &c
   for (const std::uint64_t code : codes.span()) {
     const Int3 low = mortonCell(code >> 9 << 9);
     if (bricks.empty() || bricks[bricks.size() - 1].low != low)
-      if (auto added = bricks.push({low, {}}); !added)
-        return added.error();
+      VOXC_TRY(bricks.push({low, {}}));
     addCell(bricks[bricks.size() - 1].cells, code & 511);
   }
   return bricks;
@@ -41,8 +40,7 @@ Expected<void> moveCells(BrickCells &brick, ScratchArray<CellCrossings> &cells) 
   for (std::size_t z = 0; z < 8; ++z)
     for (std::uint64_t bits = std::exchange(brick.cells[z], 0); bits != 0; bits &= bits - 1) {
       const int bit = std::countr_zero(bits);
-      if (auto added = cells.push({brick.low + Int3{bit & 7, bit >> 3, static_cast<int>(z)}}); !added)
-        return added;
+      VOXC_TRY(cells.push({brick.low + Int3{bit & 7, bit >> 3, static_cast<int>(z)}}));
     }
   return {};
 }
@@ -77,8 +75,7 @@ Expected<ScratchArray<BrickCells>> voxelsOfCaps(const ClosedMesh &mesh, const Vo
     if (!added)
       return added.error();
   }
-  if (auto done = sortOut(codes); !done)
-    return done.error();
+  VOXC_TRY(sortOut(codes));
   return bricksOf(codes, memory);
 }
 
@@ -87,11 +84,9 @@ Expected<void> keepInside(ScratchArray<BrickCells> &bricks, const ClosedMesh &me
   ScratchArray<CellCrossings> cells(memory);
   for (std::uint64_t end = 0; end < bricks.size();) {
     const std::uint64_t begin = end;
-    if (auto emptied = cells.resize(0); !emptied)
-      return emptied;
+    VOXC_TRY(cells.resize(0));
     for (; end < bricks.size() && cells.size() < kMostCells; ++end)
-      if (auto moved = moveCells(bricks[end], cells); !moved)
-        return moved;
+      VOXC_TRY(moveCells(bricks[end], cells));
     if (auto counted = countCrossings(*mesh.scene, mesh.model, cells, *memory, progress, mesh.roles());
         !counted)
       return counted;

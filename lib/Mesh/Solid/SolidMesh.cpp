@@ -23,20 +23,12 @@ struct Prepared {
 
   static Expected<Prepared> of(const TriangleScene &scene, const VoxelizeOptions &options,
                                const InteriorOptions &means) {
-    const auto model = MeshModel::open(scene, options, means.memory.get());
-    if (!model)
-      return model.error();
+    const auto model = VOXC_TRY(MeshModel::open(scene, options, means.memory.get()));
     Facing facing = Facing::Unknown;
-    if (options.coverage == Coverage::Inner) {
-      const auto found = facingOf(scene, *model, means.memory, means.progress);
-      if (!found)
-        return found.error();
-      facing = *found;
-    }
-    auto mesh = ClosedMesh::of(scene, *model, means.memory, means.progress);
-    if (!mesh)
-      return mesh.error();
-    return Prepared{std::move(*mesh), facing};
+    if (options.coverage == Coverage::Inner)
+      facing = VOXC_TRY(facingOf(scene, model, means.memory, means.progress));
+    auto mesh = VOXC_TRY(ClosedMesh::of(scene, model, means.memory, means.progress));
+    return Prepared{std::move(mesh), facing};
   }
 
   /// The solid, with what was found out of the mesh.
@@ -56,33 +48,23 @@ Expected<Inside> insideOf(const Prepared &prepared, const VoxelizeOptions &optio
   const ClosedMesh &mesh = prepared.mesh;
   MeshTuning tuning;
   tuning.facing = prepared.facing;
-  auto shape = makeMeshSource(mesh.scene, options, means.memory, tuning);
-  if (!shape)
-    return shape.error();
+  auto shape = VOXC_TRY(makeMeshSource(mesh.scene, options, means.memory, tuning));
   // What lies beyond the volume is no way from one part to another.
-  auto tree = FloodTree::read(**shape, {Step::Face, Outside::Solid}, means);
-  if (!tree)
-    return tree.error();
-  const auto parts = tree->floodEveryPart();
-  if (!parts)
-    return parts.error();
+  auto tree = VOXC_TRY(FloodTree::read(*shape, {Step::Face, Outside::Solid}, means));
+  const auto parts = VOXC_TRY(tree.floodEveryPart());
   ScratchArray<CellCrossings> cells(means.memory);
-  for (const Int3 &part : parts->span())
-    if (auto added = cells.push({part}); !added)
-      return added.error();
+  for (const Int3 &part : parts.span())
+    VOXC_TRY(cells.push({part}));
   if (auto counted =
           countCrossings(*mesh.scene, mesh.model, cells, *means.memory, means.progress, mesh.roles());
       !counted)
     return counted.error();
-  tree->clearReached();
+  tree.clearReached();
   for (const CellCrossings &cell : cells.span())
     if (mesh.isInside(cell))
-      if (auto flooded = tree->floodFrom(cell.cell); !flooded)
-        return flooded.error();
-  auto chosen = tree->choose(Choice::Reached);
-  if (!chosen)
-    return chosen.error();
-  return Inside{std::move(*tree), std::move(*chosen)};
+      VOXC_TRY(tree.floodFrom(cell.cell));
+  auto chosen = VOXC_TRY(tree.choose(Choice::Reached));
+  return Inside{std::move(tree), std::move(chosen)};
 }
 
 /// Takes the cells where a source has voxels out of the bricks, and counts those that are left.
@@ -90,8 +72,7 @@ Expected<std::uint64_t> leaveEmpty(ScratchArray<BrickCells> &bricks, VoxelSource
   std::uint64_t count = 0;
   std::array<std::uint32_t, 512> words;
   for (BrickCells &brick : bricks.span()) {
-    if (auto read = source.read({brick.low, 3}, words.data()); !read)
-      return read.error();
+    VOXC_TRY(source.read({brick.low, 3}, words.data()));
     const Slices voxels = toSlices(bitsOf(words.data()));
     for (std::size_t z = 0; z < brick.cells.size(); ++z)
       brick.cells[z] &= ~voxels[z];
@@ -105,19 +86,12 @@ Expected<std::uint64_t> fillCaps(const Prepared &prepared, const VoxelizeOptions
                                  std::unique_ptr<VoxelSource> &source, const InteriorOptions &means) {
   const ClosedMesh &mesh = prepared.mesh;
   const VoxelRule rule(options.coverage, mesh.model.grid.bits(), prepared.facing, mesh.model.extent());
-  auto bricks = voxelsOfCaps(mesh, rule, means.memory, means.progress);
-  if (!bricks)
-    return bricks.error();
-  if (auto kept = keepInside(*bricks, mesh, means.memory, means.progress); !kept)
-    return kept.error();
-  const auto count = leaveEmpty(*bricks, *source);
-  if (!count)
-    return count.error();
-  auto cells = setOf(bricks->span(), mesh.model.extent(), means.memory);
-  if (!cells)
-    return cells.error();
-  source = paint(std::move(source), std::move(*cells), word);
-  return *count;
+  auto bricks = VOXC_TRY(voxelsOfCaps(mesh, rule, means.memory, means.progress));
+  VOXC_TRY(keepInside(bricks, mesh, means.memory, means.progress));
+  const auto count = VOXC_TRY(leaveEmpty(bricks, *source));
+  auto cells = VOXC_TRY(setOf(bricks.span(), mesh.model.extent(), means.memory));
+  source = paint(std::move(source), std::move(cells), word);
+  return count;
 }
 
 } // namespace
@@ -125,54 +99,37 @@ Expected<std::uint64_t> fillCaps(const Prepared &prepared, const VoxelizeOptions
 Expected<SolidMesh> fillMesh(const TriangleScene &scene, const VoxelizeOptions &options,
                              std::unique_ptr<VoxelSource> surface, std::uint32_t word,
                              const InteriorOptions &means) {
-  const auto prepared = Prepared::of(scene, options, means);
-  if (!prepared)
-    return prepared.error();
-  if (!prepared->mesh.isClosed()) {
-    auto filled = fillInterior(std::move(surface), word, means);
-    if (!filled)
-      return filled.error();
-    return prepared->solid(std::move(filled->source), filled->voxels);
+  const auto prepared = VOXC_TRY(Prepared::of(scene, options, means));
+  if (!prepared.mesh.isClosed()) {
+    auto filled = VOXC_TRY(fillInterior(std::move(surface), word, means));
+    return prepared.solid(std::move(filled.source), filled.voxels);
   }
-  auto inside = insideOf(*prepared, options, means);
-  if (!inside)
-    return inside.error();
-  std::unique_ptr<VoxelSource> source = paint(std::move(surface), std::move(inside->cells.cells), word);
-  std::uint64_t count = inside->cells.count;
-  if (prepared->mesh.holes != 0) {
-    const auto added = fillCaps(*prepared, options, word, source, means);
-    if (!added)
-      return added.error();
-    count += *added;
+  auto inside = VOXC_TRY(insideOf(prepared, options, means));
+  std::unique_ptr<VoxelSource> source = paint(std::move(surface), std::move(inside.cells.cells), word);
+  std::uint64_t count = inside.cells.count;
+  if (prepared.mesh.holes != 0) {
+    const auto added = VOXC_TRY(fillCaps(prepared, options, word, source, means));
+    count += added;
   }
-  return prepared->solid(std::move(source), count);
+  return prepared.solid(std::move(source), count);
 }
 
 Expected<SolidMesh> centreMesh(const TriangleScene &scene, const VoxelizeOptions &options,
                                std::unique_ptr<VoxelSource> surface, std::uint32_t word,
                                const InteriorOptions &means) {
-  const auto prepared = Prepared::of(scene, options, means);
-  if (!prepared)
-    return prepared.error();
-  const ClosedMesh &mesh = prepared->mesh;
+  const auto prepared = VOXC_TRY(Prepared::of(scene, options, means));
+  const ClosedMesh &mesh = prepared.mesh;
   if (!mesh.isClosed())
     return Error::input(
         "the mesh is not closed, so that no centre lies inside it: " + std::to_string(mesh.open.count) +
         " edges lack a counterpart; close it, or take the coverage conservative, thin or inner");
-  auto inside = insideOf(*prepared, options, means);
-  if (!inside)
-    return inside.error();
-  auto bricks = inside->tree.voxels();
-  if (!bricks)
-    return bricks.error();
-  if (auto kept = keepInside(*bricks, mesh, means.memory, means.progress); !kept)
-    return kept.error();
-  auto cells = setOf(bricks->span(), mesh.model.extent(), means.memory);
-  if (!cells)
-    return cells.error();
-  const std::uint64_t count = inside->cells.count;
-  return prepared->solid(
-      makeCentreSource(std::move(surface), {std::move(inside->cells.cells), std::move(*cells)}, word), count);
+  auto inside = VOXC_TRY(insideOf(prepared, options, means));
+  auto bricks = VOXC_TRY(inside.tree.voxels());
+  VOXC_TRY(keepInside(bricks, mesh, means.memory, means.progress));
+  auto cells = VOXC_TRY(setOf(bricks.span(), mesh.model.extent(), means.memory));
+  const std::uint64_t count = inside.cells.count;
+  return prepared.solid(
+      makeCentreSource(std::move(surface), {std::move(inside.cells.cells), std::move(cells)}, word), count);
 }
 
 } // namespace voxc

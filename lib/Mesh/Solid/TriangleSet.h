@@ -44,8 +44,7 @@ Expected<void> forEachTriangle(const TriangleScene &scene, const MeshModel &mode
     if (only && !only->has(number))
       continue;
     cursor.moveTo(number);
-    if (Expected<void> visited = visit(number, cursor); !visited)
-      return visited;
+    VOXC_TRY(visit(number, cursor));
   }
   return {};
 }

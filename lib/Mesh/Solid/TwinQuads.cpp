@@ -41,8 +41,7 @@ public:
 
   /// Errors: interrupted, no memory.
   Expected<bool> addTo(TriangleSet &twins) {
-    if (auto paired = findPairs(); !paired)
-      return paired.error();
+    VOXC_TRY(findPairs());
     std::ranges::sort(pairs_.span(), {},
                       [](const Pair &pair) { return std::tuple(pair.quad, pair.diagonal, pair.triangles); });
     bool hasAny = false;
@@ -56,8 +55,7 @@ public:
       if (!side)
         continue;
       if (twins.empty() && !hasAny)
-        if (auto sized = twins.resize(model_.numbers.size()); !sized)
-          return sized.error();
+        VOXC_TRY(twins.resize(model_.numbers.size()));
       hasAny = true;
       for (const std::uint64_t triangle : side->triangles)
         twins.add(triangle);
@@ -78,8 +76,7 @@ private:
       for (std::size_t i = 0; i < 3; ++i) {
         const std::uint64_t from = hashes[i], to = hashes[(i + 1) % 3];
         const bool isBack = (from > to) != cursor.isMirrored();
-        if (auto added = sides.push({from + to, hashes[(i + 2) % 3], 2 * number + isBack}); !added)
-          return added;
+        VOXC_TRY(sides.push({from + to, hashes[(i + 2) % 3], 2 * number + isBack}));
       }
       return {};
     };
@@ -88,10 +85,8 @@ private:
   }
 
   Expected<void> findPairs() {
-    auto found = findSides();
-    if (!found)
-      return found.error();
-    const std::span<Side> sides = found->span();
+    auto found = VOXC_TRY(findSides());
+    const std::span<Side> sides = found.span();
     std::ranges::sort(sides, {}, [](const Side &side) { return std::tuple(side.edge, side.triangle); });
     for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
       while (end < sides.size() && sides[end].edge == sides[begin].edge)

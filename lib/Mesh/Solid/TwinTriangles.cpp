@@ -55,8 +55,7 @@ Expected<TriangleSet> findTwins(const TriangleScene &scene, const MeshModel &mod
                                 const std::shared_ptr<WorkingMemory> &memory, const Progress &progress) {
   ScratchArray<Bucket> buckets(memory);
   const std::uint64_t size = std::bit_ceil(std::clamp(model.numbers.size(), kFewestBuckets, kMostBuckets));
-  if (auto sized = buckets.resize(size); !sized)
-    return sized.error();
+  VOXC_TRY(buckets.resize(size));
   const auto bucketOf = [&](const Sorted &triangle) -> Bucket & {
     return buckets[triangle.hash & (size - 1)];
   };
@@ -93,8 +92,7 @@ Expected<TriangleSet> findTwins(const TriangleScene &scene, const MeshModel &mod
     if (sum != 0)
       continue;
     if (twins.empty())
-      if (auto sized = twins.resize(model.numbers.size()); !sized)
-        return sized.error();
+      VOXC_TRY(twins.resize(model.numbers.size()));
     twins.add(first.place / 2);
   }
   return twins;

@@ -1,7 +1,6 @@
 // The two conventions, and telling them apart.
 #include "Mesh/Stl/StlColours.h"
 
-#include <algorithm>
 #include <string_view>
 
 namespace voxc {

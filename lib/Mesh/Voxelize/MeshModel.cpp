@@ -9,13 +9,10 @@ namespace voxc {
 
 Expected<MeshModel> MeshModel::open(const TriangleScene &scene, const VoxelizeOptions &options,
                                     WorkingMemory *memory) {
-  if (auto checked = checkReferences(scene); !checked)
-    return checked.error();
+  VOXC_TRY(checkReferences(scene));
   TriangleNumbers numbers(scene);
-  const auto model = boundsOf(scene, numbers, memory, options.progress);
-  if (!model)
-    return model.error();
-  FrameOptions place{*model, options.resolution, options.maxExtent, options.zUp};
+  const auto model = VOXC_TRY(boundsOf(scene, numbers, memory, options.progress));
+  FrameOptions place{model, options.resolution, options.maxExtent, options.zUp};
   if (options.bounds) {
     const std::array<double, 6> &b = *options.bounds;
     place.bounds = {{b[0], b[1], b[2]}, {b[3], b[4], b[5]}};
@@ -23,13 +20,9 @@ Expected<MeshModel> MeshModel::open(const TriangleScene &scene, const VoxelizeOp
   place.voxelSize = options.voxelSize;
   if (options.align)
     place.align = glm::dvec3((*options.align)[0], (*options.align)[1], (*options.align)[2]);
-  const auto frame = ModelFrame::fit(place);
-  if (!frame)
-    return frame.error();
-  const auto grid = SnapGrid::fit(*frame, *model);
-  if (!grid)
-    return grid.error();
-  return MeshModel{std::move(numbers), *grid};
+  const auto frame = VOXC_TRY(ModelFrame::fit(place));
+  const auto grid = VOXC_TRY(SnapGrid::fit(frame, model));
+  return MeshModel{std::move(numbers), grid};
 }
 
 SnappedTriangle MeshModel::snapped(const TriangleCursor &cursor) const {

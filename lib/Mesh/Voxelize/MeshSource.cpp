@@ -76,8 +76,7 @@ public:
       std::fill_n(words, cellCount(cube.log2Side), 0u);
       return {};
     }
-    if (auto moved = moveTo(cube.low); !moved)
-      return moved;
+    VOXC_TRY(moveTo(cube.low));
     voxels_.read(cube, words);
     return {};
   }
@@ -118,13 +117,10 @@ private:
       return mesh_->bins.at(cube);
     List &list = lists_[static_cast<std::size_t>(log2Side - mesh_->log2Chunk)];
     if (list.cube != cube) {
-      auto around = trianglesOf(cube >> 1, log2Side + 1);
-      if (!around)
-        return around;
+      auto around = VOXC_TRY(trianglesOf(cube >> 1, log2Side + 1));
       const ThreadTimer timer(mesh_->nanoseconds);
       list.cube = kNowhere;
-      if (auto selected = select(*around, cube, log2Side, list.triangles); !selected)
-        return selected.error();
+      VOXC_TRY(select(around, cube, log2Side, list.triangles));
       list.cube = cube;
     }
     return std::as_const(list.triangles).span();
@@ -134,16 +130,13 @@ private:
   Expected<void> select(std::span<const std::uint32_t> triangles, Int3 cube, int log2Side,
                         ScratchArray<std::uint32_t> &selected) {
     const CellShape shape = CellShape::cube(mesh_->model.grid.bits() + log2Side);
-    if (auto emptied = selected.resize(0); !emptied)
-      return emptied;
+    VOXC_TRY(selected.resize(0));
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-      if (auto looked = lookUp(i); !looked)
-        return looked;
+      VOXC_TRY(lookUp(i));
       coverCells(triangle(triangles[i]), shape, {cube, cube + Int3{1, 1, 1}}, masks_);
       if (masks_.empty() || masks_[0].slices[0] == 0)
         continue;
-      if (auto pushed = selected.push(triangles[i]); !pushed)
-        return pushed;
+      VOXC_TRY(selected.push(triangles[i]));
     }
     return {};
   }
@@ -158,8 +151,7 @@ private:
       return triangles.error();
     const ThreadTimer timer(mesh_->nanoseconds);
     chunk_ = kNowhere;
-    if (auto done = rasterize(*triangles, chunk * (1 << mesh_->log2Chunk)); !done)
-      return done;
+    VOXC_TRY(rasterize(*triangles, chunk * (1 << mesh_->log2Chunk)));
     chunk_ = chunk;
     return {};
   }
@@ -172,8 +164,7 @@ private:
                             std::min(low.z + side, extent.z)}};
     voxels_.clear(low);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-      if (auto looked = lookUp(i); !looked)
-        return looked;
+      VOXC_TRY(lookUp(i));
       propose(triangle(triangles[i]), within);
     }
     return {};
@@ -252,10 +243,8 @@ Expected<std::unique_ptr<VoxelSource>> makeMeshSource(std::shared_ptr<const Tria
                                                       const VoxelizeOptions &options,
                                                       const std::shared_ptr<WorkingMemory> &memory,
                                                       const MeshTuning &tuning) {
-  auto mesh = MeshVoxels::open(std::move(scene), options, memory, tuning);
-  if (!mesh)
-    return mesh.error();
-  return std::unique_ptr<VoxelSource>(std::make_unique<MeshSource>(std::move(*mesh)));
+  auto mesh = VOXC_TRY(MeshVoxels::open(std::move(scene), options, memory, tuning));
+  return std::unique_ptr<VoxelSource>(std::make_unique<MeshSource>(std::move(mesh)));
 }
 
 Expected<std::unique_ptr<VoxelSource>> makeMeshSource(std::shared_ptr<const TriangleScene> scene,

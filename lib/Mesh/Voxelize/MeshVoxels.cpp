@@ -65,10 +65,8 @@ Expected<void> forEachChunk(const MeshVoxels &mesh, const Region &region, double
 
 Expected<void> fill(ChunkBins<std::uint32_t> &bins, const MeshVoxels &mesh, const Region &region) {
   const auto count = [&](Int3 chunk, std::uint32_t) { bins.count(chunk); };
-  if (auto counted = forEachChunk(mesh, region, 0, count); !counted)
-    return counted;
-  if (auto allocated = bins.allocate(); !allocated)
-    return allocated;
+  VOXC_TRY(forEachChunk(mesh, region, 0, count));
+  VOXC_TRY(bins.allocate());
   return forEachChunk(mesh, region, 0.5,
                       [&](Int3 chunk, std::uint32_t number) { bins.place(chunk, number); });
 }
@@ -79,34 +77,21 @@ Expected<std::shared_ptr<const MeshVoxels>> MeshVoxels::open(std::shared_ptr<con
                                                              const VoxelizeOptions &options,
                                                              const std::shared_ptr<WorkingMemory> &memory,
                                                              const MeshTuning &tuning) {
-  auto model = MeshModel::open(*scene, options, memory.get());
-  if (!model)
-    return model.error();
+  auto model = VOXC_TRY(MeshModel::open(*scene, options, memory.get()));
   using Bins = ChunkBins<std::uint32_t>;
-  const int log2Bin = Bins::log2ChunkFor(model->extent(), tuning.log2Chunk, tuning.log2Grid);
-  auto bins = Bins::create(model->extent(), log2Bin, memory);
-  if (!bins)
-    return bins.error();
+  const int log2Bin = Bins::log2ChunkFor(model.extent(), tuning.log2Chunk, tuning.log2Grid);
+  auto bins = VOXC_TRY(Bins::create(model.extent(), log2Bin, memory));
   Facing facing = tuning.facing.value_or(Facing::Unknown);
-  if (options.coverage == Coverage::Inner && !tuning.facing) {
-    const auto found = facingOf(*scene, *model, memory, options.progress);
-    if (!found)
-      return found.error();
-    facing = *found;
-  }
-  const VoxelRule rule(options.coverage, model->grid.bits(), facing, model->extent());
-  auto mesh = std::make_shared<MeshVoxels>(std::move(scene), memory, std::move(*model), std::move(*bins),
-                                           rule, tuning.log2Chunk, options.progress);
-  if (options.colour == ColourRule::Mean) {
-    auto means = SceneMeans::of(*mesh->scene, memory, options.progress);
-    if (!means)
-      return means.error();
-    mesh->means = std::move(*means);
-  }
+  if (options.coverage == Coverage::Inner && !tuning.facing)
+    facing = VOXC_TRY(facingOf(*scene, model, memory, options.progress));
+  const VoxelRule rule(options.coverage, model.grid.bits(), facing, model.extent());
+  auto mesh = std::make_shared<MeshVoxels>(std::move(scene), memory, std::move(model), std::move(bins), rule,
+                                           tuning.log2Chunk, options.progress);
+  if (options.colour == ColourRule::Mean)
+    mesh->means = VOXC_TRY(SceneMeans::of(*mesh->scene, memory, options.progress));
   const Region region{chunksOf(mesh->model.extent(), options.regions, log2Bin),
                       trianglesNear(options.regions, *mesh->scene, mesh->model)};
-  if (auto filled = fill(mesh->bins, *mesh, region); !filled)
-    return filled.error();
+  VOXC_TRY(fill(mesh->bins, *mesh, region));
   return std::shared_ptr<const MeshVoxels>(std::move(mesh));
 }
 

@@ -200,25 +200,15 @@ private:
 
 Expected<std::unique_ptr<VoxelSource>> makeReferenceMeshSource(const TriangleScene &scene,
                                                                const VoxelizeOptions &options) {
-  const auto model = MeshModel::open(scene, options, nullptr);
-  if (!model)
-    return model.error();
+  const auto model = VOXC_TRY(MeshModel::open(scene, options, nullptr));
   SceneMeans means;
-  if (options.colour == ColourRule::Mean) {
-    auto made = SceneMeans::of(scene, WorkingMemory::createDefault(), options.progress);
-    if (!made)
-      return made.error();
-    means = std::move(*made);
-  }
+  if (options.colour == ColourRule::Mean)
+    means = VOXC_TRY(SceneMeans::of(scene, WorkingMemory::createDefault(), options.progress));
   Facing facing = Facing::Unknown;
-  if (options.coverage == Coverage::Inner) {
-    const auto found = facingOf(scene, *model, WorkingMemory::createDefault(), options.progress);
-    if (!found)
-      return found.error();
-    facing = *found;
-  }
-  Reference reference(scene, *model, means, options.coverage, facing);
-  const std::uint64_t count = model->numbers.size();
+  if (options.coverage == Coverage::Inner)
+    facing = VOXC_TRY(facingOf(scene, model, WorkingMemory::createDefault(), options.progress));
+  Reference reference(scene, model, means, options.coverage, facing);
+  const std::uint64_t count = model.numbers.size();
   for (std::uint64_t number = 0; number < count; ++number) {
     if (number % kProgressStep == 0) {
       if (options.progress.stopped())
@@ -227,7 +217,7 @@ Expected<std::unique_ptr<VoxelSource>> makeReferenceMeshSource(const TriangleSce
     }
     reference.add(static_cast<std::uint32_t>(number));
   }
-  return makeSortedSource(model->extent(), reference.take(), model->grid.frame().voxelToModel());
+  return makeSortedSource(model.extent(), reference.take(), model.grid.frame().voxelToModel());
 }
 
 } // namespace voxc

@@ -35,9 +35,9 @@ Expected<SnapGrid> SnapGrid::fit(const ModelFrame &frame, const Bounds &model) {
     grid.steps_ /= 2;
   }
   if (grid.bits_ < kLeastBits)
-    return Error::input("the model reaches " + std::to_string(reach) +
-                        " voxels out of the volume, and the most is 2^35; lower the resolution or widen the "
-                        "bounds");
+    return Error::input(
+        "the model reaches " + std::to_string(reach) +
+        " voxels out of the volume, and the most is 2^35; lower the resolution or widen the bounds");
   return grid;
 }
 

@@ -33,10 +33,8 @@ Expected<TextureMeans> TextureMeans::of(const Texture &texture, bool isOpaque,
                                         const Progress &progress) {
   TextureMeans means(texture, isOpaque);
   for (int level = 0; (std::int64_t{1} << level) < std::max(texture.width, texture.height); ++level) {
-    auto next = means.above(level, memory, progress);
-    if (!next)
-      return next.error();
-    means.levels_.push_back(std::move(*next));
+    auto next = VOXC_TRY(means.above(level, memory, progress));
+    means.levels_.push_back(std::move(next));
   }
   return means;
 }
@@ -118,11 +116,9 @@ Expected<SceneMeans> SceneMeans::of(const TriangleScene &scene, const std::share
     const Material &material = scene.materials[part.material];
     const bool isOpaque = material.alpha == AlphaRule::Opaque;
     if (part.uvs)
-      if (auto added = means.add(scene, material.texture.texture, isOpaque, memory, progress); !added)
-        return added.error();
+      VOXC_TRY(means.add(scene, material.texture.texture, isOpaque, memory, progress));
     if (part.emissionUvs)
-      if (auto added = means.add(scene, material.emissionTexture.texture, true, memory, progress); !added)
-        return added.error();
+      VOXC_TRY(means.add(scene, material.emissionTexture.texture, true, memory, progress));
   }
   return means;
 }
@@ -133,10 +129,7 @@ Expected<void> SceneMeans::add(const TriangleScene &scene, int texture, bool isO
     return {};
   const Texture &of = scene.textures[static_cast<std::size_t>(texture)];
   auto &means = means_[static_cast<std::size_t>(texture)][isOpaque];
-  auto made = TextureMeans::of(of, isOpaque || !hasAlpha(of), memory, progress);
-  if (!made)
-    return made.error();
-  means = std::move(*made);
+  means = VOXC_TRY(TextureMeans::of(of, isOpaque || !hasAlpha(of), memory, progress));
   return {};
 }
 

@@ -80,14 +80,10 @@ Expected<void> checkSpace(const ExportKind &kind, const Volume &volume, const st
 
 Expected<void> writeFile(const ExportKind &kind, const Volume &volume, const std::string &path,
                          const ExportOptions &options, Exported &exported) {
-  if (auto checked = checkSpace(kind, volume, path); !checked)
-    return checked;
-  auto file = OutputFile::create(path);
-  if (!file)
-    return file.error();
-  if (auto written = kind.write(volume, *file, options, exported); !written)
-    return written;
-  return file->commit();
+  VOXC_TRY(checkSpace(kind, volume, path));
+  auto file = VOXC_TRY(OutputFile::create(path));
+  VOXC_TRY(kind.write(volume, file, options, exported));
+  return file.commit();
 }
 
 Expected<void> write(const ExportKind &kind, const Volume &volume, const std::string &path,
@@ -102,9 +98,9 @@ Expected<void> write(const ExportKind &kind, const Volume &volume, const std::st
   if (kind.format.ending == ".png")
     return writeSlices(volume, path, options, exported);
   if (kind.format.ending == ".vdb")
-    return Error::environment("'" + path +
-                              "' is an OpenVDB file, which this build does not write; build voxc with "
-                              "VOXC_OPENVDB=ON");
+    return Error::environment(
+        "'" + path +
+        "' is an OpenVDB file, which this build does not write; build voxc with VOXC_OPENVDB=ON");
   return volume.save(path, options.save);
 }
 
@@ -142,8 +138,7 @@ Expected<Exported> exportVoxels(const Volume &volume, const std::string &path, c
     return Error::interrupted();
   for (const OtherExport &other : options.otherKinds)
     if (other.ending == ending) {
-      if (auto written = other.write(volume, path, options); !written)
-        return written.error();
+      VOXC_TRY(other.write(volume, path, options));
       Exported exported;
       tellAttributes(volume, ending, exported);
       return exported;
@@ -152,8 +147,7 @@ Expected<Exported> exportVoxels(const Volume &volume, const std::string &path, c
     if (kind.format.ending != ending)
       continue;
     Exported exported;
-    if (auto written = write(kind, volume, path, options, exported); !written)
-      return written.error();
+    VOXC_TRY(write(kind, volume, path, options, exported));
     tellAttributes(volume, ending, exported);
     return exported;
   }

@@ -42,8 +42,7 @@ public:
       for (brick.y = -1; brick.y <= kBlock / kBrick; ++brick.y)
         for (brick.x = -1; brick.x <= kBlock / kBrick; ++brick.x)
           if (axesOutside(brick) <= 1)
-            if (auto done = readBrick(low, brick * kBrick); !done)
-              return done.error();
+            VOXC_TRY(readBrick(low, brick * kBrick));
     return hasVoxel_;
   }
 
@@ -76,8 +75,7 @@ private:
     if (source_->empty(cube))
       return {};
     std::array<std::uint32_t, std::size_t{kBrick} * kBrick * kBrick> brick;
-    if (auto done = source_->read(cube, brick.data()); !done)
-      return done;
+    VOXC_TRY(source_->read(cube, brick.data()));
     const Int3 extent = source_->extent();
     forEachCell({first, kLog2Brick}, [&](std::uint64_t at, Int3 cell) {
       if (brick[at] != 0 && contains(extent, low + cell))
@@ -164,18 +162,15 @@ private:
       return traverseBlock(cube.low);
     const int half = cube.log2Side - 1;
     for (std::uint64_t child = 0; child < 8 && goes_; ++child)
-      if (auto traversed = traverse({cube.low + mortonCell(child) * (1 << half), half}); !traversed)
-        return traversed;
+      VOXC_TRY(traverse({cube.low + mortonCell(child) * (1 << half), half}));
     return {};
   }
 
   Expected<void> traverseBlock(Int3 low) {
     if (progress_.stopped())
       return Error::interrupted();
-    const Expected<bool> hasVoxel = block_.read(low);
-    if (!hasVoxel)
-      return hasVoxel.error();
-    if (*hasVoxel)
+    const auto hasVoxel = VOXC_TRY(block_.read(low));
+    if (hasVoxel)
       mergeBlock(low);
     return {};
   }

@@ -84,8 +84,7 @@ Expected<void> GlbFile::write(const void *bytes, std::uint64_t size) {
 
 Expected<void> GlbFile::finish(const std::string &mesh, const Transform &voxelToModel) {
   constexpr std::array<char, 3> kPadding{};
-  if (auto padded = write(kPadding.data(), -bytes_ % 4); !padded)
-    return padded;
+  VOXC_TRY(write(kPadding.data(), -bytes_ % 4));
   std::string head = "glTF";
   const auto word = [&](std::uint64_t value) {
     const auto narrow = static_cast<std::uint32_t>(value);

@@ -17,8 +17,7 @@ public:
   bool empty(const Cube &cube) override { return words_->empty(cube); }
 
   Expected<void> read(const Cube &cube, std::uint32_t *words) override {
-    if (auto done = words_->read(cube, words); !done)
-      return done;
+    VOXC_TRY(words_->read(cube, words));
     std::array<std::uint32_t, 512> looks{};
     const std::uint64_t first = mortonCode(cube.low);
     const VoxelLooks::Range said = voxels_.looks_.between(first, first + cellCount(cube.log2Side));

@@ -31,8 +31,7 @@ public:
     int log2Side = kLog2Upper;
     while (std::int64_t{1} << log2Side < std::max({extent.x, extent.y, extent.z}))
       ++log2Side;
-    if (auto traversed = traverse({{}, log2Side}); !traversed)
-      return traversed.error();
+    VOXC_TRY(traverse({{}, log2Side}));
     return std::move(tree_);
   }
 
@@ -52,8 +51,7 @@ private:
   Expected<void> divide(const Cube &cube) {
     const int half = cube.log2Side - 1;
     for (std::uint64_t child = 0; child < 8; ++child)
-      if (auto traversed = traverse({cube.low + mortonCell(child) * (1 << half), half}); !traversed)
-        return traversed;
+      VOXC_TRY(traverse({cube.low + mortonCell(child) * (1 << half), half}));
     return {};
   }
 
@@ -78,8 +76,7 @@ private:
       return addTile(tree_.root, cube, word, 2);
     TreeNode node{cube.low, 0, tree_.ofUppers.size(), tree_.lowers.size(), {}};
     const ActiveBox outer = std::exchange(tree_.box, {});
-    if (auto divided = divide(cube); !divided)
-      return divided;
+    VOXC_TRY(divide(cube));
     return close(tree_.uppers, tree_.root, node, tree_.ofUppers.size(), outer);
   }
 
@@ -88,8 +85,7 @@ private:
       return addTile(tree_.ofUppers, cube, word, 1);
     TreeNode node{cube.low, 0, tree_.ofLowers.size(), tree_.leaves, {}};
     const ActiveBox outer = std::exchange(tree_.box, {});
-    if (auto divided = divide(cube); !divided)
-      return divided;
+    VOXC_TRY(divide(cube));
     return close(tree_.lowers, tree_.ofUppers, node, tree_.ofLowers.size(), outer);
   }
 
@@ -101,15 +97,13 @@ private:
     if (node.children == 0)
       return {};
     tree_.box.add(node.box);
-    if (auto pushed = nodes.push(node); !pushed)
-      return pushed;
+    VOXC_TRY(nodes.push(node));
     return parents.push({node.low, 0});
   }
 
   Expected<void> addBrick(const Cube &cube) {
     std::array<std::uint32_t, 512> words;
-    if (auto done = readBrickWithin(*source_, cube.low, words); !done)
-      return done;
+    VOXC_TRY(readBrickWithin(*source_, cube.low, words));
     if (words[0] != 0 && std::ranges::all_of(words, [&](std::uint32_t word) { return word == words[0]; }))
       return addTile(tree_.ofLowers, cube, words[0], 0);
     ActiveBox box;
@@ -138,8 +132,7 @@ private:
 
 Expected<void> readBrickWithin(VoxelSource &source, Int3 low, std::array<std::uint32_t, 512> &words) {
   const Cube cube{low, kLog2Leaf};
-  if (auto done = source.read(cube, words.data()); !done)
-    return done;
+  VOXC_TRY(source.read(cube, words.data()));
   if (contains(source.extent(), boxOf(cube).high))
     return {};
   forEachCell(cube, [&](std::uint64_t at, Int3 cell) {

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <limits>
 #include <memory>
 #include <string>
@@ -107,10 +106,8 @@ public:
       : volume_(volume), tree_(tree), places_(tree), file_(file), progress_(progress) {}
 
   Expected<void> write() {
-    if (auto written = writeHeads(); !written)
-      return written;
-    if (auto written = writeRoot(); !written)
-      return written;
+    VOXC_TRY(writeHeads());
+    VOXC_TRY(writeRoot());
     if (auto written = writeInner<nanovdb::Upper>(tree_.uppers, tree_.ofUppers, nanovdb::kLog2Lower,
                                                   places_.uppers, places_.lowers, sizeof(nanovdb::Lower));
         !written)
@@ -195,8 +192,7 @@ private:
       tiles.push_back(tile);
     }
     std::ranges::sort(tiles, {}, &nanovdb::RootTile::key);
-    if (auto written = put(root); !written)
-      return written;
+    VOXC_TRY(put(root));
     return file_.write(tiles.data(), tiles.size() * sizeof(nanovdb::RootTile));
   }
 
@@ -225,8 +221,7 @@ private:
         node->table[slot] = static_cast<std::int64_t>(next - place);
         next += bytesEach;
       }
-      if (auto written = put(*node); !written)
-        return written;
+      VOXC_TRY(put(*node));
       place += sizeof(Node);
     }
     return {};
@@ -241,10 +236,8 @@ private:
         continue;
       if (++looks % 4096 == 0 && progress_.stopped())
         return Error::interrupted();
-      if (auto done = readBrickWithin(*source, child.low, words); !done)
-        return done;
-      if (auto written = put(leafOf(child.low, words)); !written)
-        return written;
+      VOXC_TRY(readBrickWithin(*source, child.low, words));
+      VOXC_TRY(put(leafOf(child.low, words)));
     }
     return {};
   }
@@ -280,14 +273,12 @@ private:
 Expected<void> writeNanoVdb(const Volume &volume, OutputFile &file, const ExportOptions &options,
                             Exported &) {
   const auto memory = options.save.memory ? options.save.memory : WorkingMemory::createDefault();
-  const auto tree = findNanoVdbTree(volume, memory, options.save.progress);
-  if (!tree)
-    return tree.error();
+  const auto tree = VOXC_TRY(findNanoVdbTree(volume, memory, options.save.progress));
   constexpr std::uint64_t kMostNodes = std::uint64_t{1} << 31;
-  if (tree->leaves > kMostNodes || tree->ofLowers.size() > kMostNodes)
-    return Error::input("a .nvdb file cannot hold " + std::to_string(tree->ofLowers.size()) +
+  if (tree.leaves > kMostNodes || tree.ofLowers.size() > kMostNodes)
+    return Error::input("a .nvdb file cannot hold " + std::to_string(tree.ofLowers.size()) +
                         " bricks of 8^3 cells; at most 2^31 fit");
-  return NanoVdbFile(volume, *tree, file, options.save.progress).write();
+  return NanoVdbFile(volume, tree, file, options.save.progress).write();
 }
 
 } // namespace voxc

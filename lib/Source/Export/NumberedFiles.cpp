@@ -28,12 +28,9 @@ Expected<void> NumberedFiles::add(std::string_view bytes) {
 }
 
 Expected<void> NumberedFiles::addBeginning(std::string_view bytes) {
-  auto file = OutputFile::create(path_(count_));
-  if (!file)
-    return file.error();
-  if (auto written = file->write(bytes.data(), bytes.size()); !written)
-    return written;
-  beginning_.push_back(std::move(*file));
+  auto file = VOXC_TRY(OutputFile::create(path_(count_)));
+  VOXC_TRY(file.write(bytes.data(), bytes.size()));
+  beginning_.push_back(std::move(file));
   return {};
 }
 
@@ -41,8 +38,7 @@ Expected<void> NumberedFiles::addBeginning(std::string_view bytes) {
 /// others.
 Expected<void> NumberedFiles::finish() {
   for (OutputFile &file : beginning_)
-    if (auto named = file.commit(); !named)
-      return named;
+    VOXC_TRY(file.commit());
   beginning_.clear();
   return {};
 }

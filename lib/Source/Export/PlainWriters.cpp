@@ -41,8 +41,7 @@ Expected<void> writePoints(const Volume &volume, OutputFile &file, const ExportO
     count += cellsWithin(cube, volume.info().extent);
     return true;
   };
-  if (auto counted = decode(volume, add, progress); !counted)
-    return counted;
+  VOXC_TRY(decode(volume, add, progress));
   const std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(count) +
                              "\nproperty int x\nproperty int y\nproperty int z\nproperty uchar red\n"
                              "property uchar green\nproperty uchar blue\nproperty uchar alpha\nend_header\n";
@@ -54,8 +53,7 @@ Expected<void> writePoints(const Volume &volume, OutputFile &file, const ExportO
   };
   if (!written)
     return written;
-  if (auto visited = forEachVoxel(volume, progress, write); !visited)
-    return visited;
+  VOXC_TRY(forEachVoxel(volume, progress, write));
   return written;
 }
 

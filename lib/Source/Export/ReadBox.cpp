@@ -94,8 +94,7 @@ Expected<void> forEachRun(const Volume &volume, const Progress &progress,
       const auto box =
           std::span(words).first(static_cast<std::size_t>(std::int64_t{size.x} * size.y * size.z));
       readBox(volume, low, high, box);
-      if (auto visited = visit(box); !visited)
-        return visited;
+      VOXC_TRY(visit(box));
     }
   return {};
 }

@@ -11,7 +11,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace voxc {
@@ -114,10 +113,8 @@ Expected<void> writeSlices(const Volume &volume, const std::string &path, const 
     auto encoded = parallelTry(count, options.save.threads, [&](std::uint64_t i) -> Expected<void> {
       if (options.save.progress.stopped())
         return Error::interrupted();
-      auto slice = encodePng(std::span(words).subspan(i * cells, cells), slices.width(), slices.height());
-      if (!slice)
-        return slice.error();
-      pictures[i] = std::move(*slice);
+      pictures[i] =
+          VOXC_TRY(encodePng(std::span(words).subspan(i * cells, cells), slices.width(), slices.height()));
       return {};
     });
     if (!encoded)
@@ -126,8 +123,7 @@ Expected<void> writeSlices(const Volume &volume, const std::string &path, const 
       if (options.save.progress.stopped())
         return Error::interrupted();
       options.save.progress.at("write", static_cast<double>(first + std::int32_t(i)) / slices.count());
-      if (auto written = files ? files->add(pictures[i]) : writeFile(path, pictures[i]); !written)
-        return written;
+      VOXC_TRY(files ? files->add(pictures[i]) : writeFile(path, pictures[i]));
     }
   }
   exported.files = static_cast<std::uint64_t>(slices.count());

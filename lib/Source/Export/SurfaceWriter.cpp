@@ -81,8 +81,7 @@ public:
   }
 
   Expected<void> finish(const Transform &voxelToModel) {
-    if (auto written = writeIndices(); !written)
-      return written;
+    VOXC_TRY(writeIndices());
     return file_.finish(rectangles_ == 0 ? "" : meshText(), voxelToModel);
   }
 
@@ -100,8 +99,7 @@ private:
       indices.clear();
       for (const std::uint64_t end = std::min(i + kAtOnce, rectangles_); i < end; ++i)
         addIndices(i, indices);
-      if (auto written = file_.write(indices.data(), indices.size() * sizeof indices[0]); !written)
-        return written;
+      VOXC_TRY(file_.write(indices.data(), indices.size() * sizeof indices[0]));
     }
     return {};
   }
@@ -114,8 +112,7 @@ private:
     for (const std::uint32_t i : order) {
       indices.clear();
       addIndices(i, indices);
-      if (auto written = file_.write(indices.data(), indices.size() * sizeof indices[0]); !written)
-        return written;
+      VOXC_TRY(file_.write(indices.data(), indices.size() * sizeof indices[0]));
     }
     return {};
   }
@@ -186,10 +183,9 @@ Expected<void> writeSurface(const Volume &volume, OutputFile &file, const Export
   if (!looks)
     return looks.error();
   if (looks->all().size() > kMostMaterials) {
-    exported.warnings.push_back(
-        "its voxels have " + std::to_string(looks->all().size() - 1) +
-        " kinds of light and metal, more than the 4096 materials of a .glb file, which are left out; "
-        "--texture keeps them");
+    exported.warnings.push_back("its voxels have " + std::to_string(looks->all().size() - 1) +
+                                " kinds of light and metal, more than the 4096 materials of a .glb file, "
+                                "which are left out; --texture keeps them");
     looks = VoxelLooks();
   }
   LookedVoxels voxels(volume, *looks);
@@ -205,8 +201,7 @@ Expected<void> writeSurface(const Volume &volume, OutputFile &file, const Export
     written = surface.add(face, pair.look);
     return bool(written);
   };
-  if (auto traversed = forEachFace(volume, add, options.save.progress, voxels.source()); !traversed)
-    return traversed;
+  VOXC_TRY(forEachFace(volume, add, options.save.progress, voxels.source()));
   if (!written)
     return written;
   exported.rectangles = surface.rectangles();

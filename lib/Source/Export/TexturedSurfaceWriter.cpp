@@ -10,7 +10,6 @@
 #include "voxc/Image/Encode.h"
 #include "voxc/Volume/LabelColour.h"
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -54,16 +53,13 @@ public:
   }
 
   Expected<void> write(const Transform &voxelToModel) {
-    if (auto begun = file_.begin(looks_.areAny() ? 2 : 1); !begun)
-      return begun;
+    VOXC_TRY(file_.begin(looks_.areAny() ? 2 : 1));
     if (faces_.empty())
       return file_.finish("", voxelToModel);
-    if (auto packed = atlas_.pack(); !packed)
-      return packed;
+    VOXC_TRY(atlas_.pack());
     for (auto part :
          {&TexturedSurface::writeVertices, &TexturedSurface::writeIndices, &TexturedSurface::writePictures})
-      if (auto written = (this->*part)(); !written)
-        return written;
+      VOXC_TRY((this->*part)());
     return file_.finish(meshText(), voxelToModel);
   }
 
@@ -118,8 +114,7 @@ private:
       fans_.push_back({static_cast<std::uint16_t>(vertices.size()), outline.hasCentre});
       vertices_ += vertices.size();
       triangles_ += outline.triangles();
-      if (auto written = file_.write(vertices.data(), vertices.size() * sizeof vertices[0]); !written)
-        return written;
+      VOXC_TRY(file_.write(vertices.data(), vertices.size() * sizeof vertices[0]));
     }
     return {};
   }
@@ -135,24 +130,21 @@ private:
       for (std::uint32_t i = fan.hasCentre ? 0 : 1; i < ring - (fan.hasCentre ? 0 : 1); ++i)
         indices.insert(indices.end(), {apex, first + i, first + (i + 1) % ring});
       first += fan.points;
-      if (auto written = file_.write(indices.data(), indices.size() * sizeof indices[0]); !written)
-        return written;
+      VOXC_TRY(file_.write(indices.data(), indices.size() * sizeof indices[0]));
     }
     return {};
   }
 
   /// Colours, then light, then metal, as far as there are some.
   Expected<void> writePictures() {
-    if (auto written = writePicture(); !written)
-      return written;
+    VOXC_TRY(writePicture());
     for (const LookTexels::Kind kind : looks_.kinds()) {
       std::vector<std::uint32_t> texels;
       texels.reserve(lookOf_.size());
       for (const std::uint32_t look : lookOf_)
         texels.push_back(looks_.texel(kind, look));
       atlas_.setTexels(std::move(texels));
-      if (auto written = writePicture(); !written)
-        return written;
+      VOXC_TRY(writePicture());
     }
     return {};
   }
@@ -215,18 +207,15 @@ private:
 
 Expected<void> writeTexturedSurface(const Volume &volume, OutputFile &file, const ExportOptions &options,
                                     Exported &exported) {
-  const auto kinds = VoxelLooks::of(volume, options.save.progress);
-  if (!kinds)
-    return kinds.error();
-  LookedVoxels voxels(volume, *kinds);
-  const LookTexels looks(kinds->all());
+  const auto kinds = VOXC_TRY(VoxelLooks::of(volume, options.save.progress));
+  LookedVoxels voxels(volume, kinds);
+  const LookTexels looks(kinds.all());
   // Labels are seen in colours of their own; what else they are has no place in a mesh.
   TexturedSurface surface(file, voxels, looks, volume.layout().hasLabels());
   const auto add = [&](const FaceRectangle &face, std::span<const std::uint32_t> words) {
     return surface.add(face, words);
   };
-  if (auto visited = forEachFaceOfAnyColour(volume, add, options.save.progress, voxels.source()); !visited)
-    return visited;
+  VOXC_TRY(forEachFaceOfAnyColour(volume, add, options.save.progress, voxels.source()));
   exported.rectangles = surface.rectangles();
   if (surface.hasBrighter())
     exported.warnings.emplace_back(kBrighterLight);

@@ -148,8 +148,7 @@ constexpr std::uint64_t kMaxVoxels = std::uint64_t{1} << 29;
 Error tooManyColours(std::uint32_t word, bool areLabels) {
   if (areLabels)
     return Error::input(
-        "a .vox file holds labels up to 255, as the numbers of its colours, but the volume has "
-        "the label " +
+        "a .vox file holds labels up to 255, as the numbers of its colours, but the volume has the label " +
         std::to_string(word));
   return Error::input("a .vox file holds at most 255 colours, but the volume has more; --lossy takes those "
                       "that stand best for them");
@@ -163,10 +162,7 @@ public:
     Colours colours;
     if (!options.lossy || hasLabels(volume))
       return colours;
-    auto rounding = reduceToPalette(volume, options.save.progress);
-    if (!rounding)
-      return rounding.error();
-    colours.rounding_ = std::move(*rounding);
+    colours.rounding_ = VOXC_TRY(reduceToPalette(volume, options.save.progress));
     return colours;
   }
 
@@ -190,11 +186,9 @@ private:
 
 /// What of the looks a file does not hold.
 constexpr const char *kLooksInPart = "a material of a .vox file is light of the voxel's own colour, metal or "
-                                     "glass; what else the attributes say "
-                                     "of light and metal is left out";
+                                     "glass; what else the attributes say of light and metal is left out";
 constexpr const char *kTooManyLooks = "its voxels have more than 255 pairs of colour and material, which a "
-                                      ".vox file cannot hold; light and metal "
-                                      "are left out";
+                                      ".vox file cannot hold; light and metal are left out";
 
 /// Writes a part after the other.
 class SceneFiles {
@@ -253,15 +247,12 @@ private:
 
 Expected<void> writeOne(const Volume &volume, OutputFile &file, const ExportOptions &options,
                         const VoxelLooks &looks, Exported &exported) {
-  auto colours = Colours::of(volume, options);
-  if (!colours)
-    return colours.error();
+  auto colours = VOXC_TRY(Colours::of(volume, options));
   Scene scene(volume.info().extent, {hasLabels(volume), looks.all()});
   const auto add = [&](Int3 voxel, std::uint32_t word) {
-    return scene.add(voxel, (*colours)(word), looks.at(mortonCode(voxel)));
+    return scene.add(voxel, colours(word), looks.at(mortonCode(voxel)));
   };
-  if (auto visited = forEachVoxel(volume, options.save.progress, add); !visited)
-    return visited;
+  VOXC_TRY(forEachVoxel(volume, options.save.progress, add));
   if (scene.refused() && looks.areAny()) {
     exported.warnings.emplace_back(kTooManyLooks);
     return writeOne(volume, file, options, VoxelLooks(), exported);
@@ -270,31 +261,27 @@ Expected<void> writeOne(const Volume &volume, OutputFile &file, const ExportOpti
     return tooManyColours(*scene.refused(), hasLabels(volume));
   if (!scene.areLooksWhole())
     exported.warnings.emplace_back(kLooksInPart);
-  colours->tell(exported);
+  colours.tell(exported);
   const std::string bytes = scene.file();
   return file.write(bytes.data(), bytes.size());
 }
 
 Expected<void> writeParts(const Volume &volume, const NumberedPath &path, const ExportOptions &options,
                           const VoxelLooks &looks, Exported &exported) {
-  auto colours = Colours::of(volume, options);
-  if (!colours)
-    return colours.error();
+  auto colours = VOXC_TRY(Colours::of(volume, options));
   bool hasNoNumber = false;
   {
     SceneFiles files(volume.info().extent, {hasLabels(volume), looks.all()}, path);
     const auto add = [&](Int3 voxel, std::uint32_t word) {
-      return files.add(voxel, (*colours)(word), looks.at(mortonCode(voxel)));
+      return files.add(voxel, colours(word), looks.at(mortonCode(voxel)));
     };
-    if (auto visited = forEachVoxel(volume, options.save.progress, add); !visited)
-      return visited;
+    VOXC_TRY(forEachVoxel(volume, options.save.progress, add));
     hasNoNumber = files.hasNoNumber() && looks.areAny();
     if (!hasNoNumber) {
-      if (auto finished = files.finish(); !finished)
-        return finished;
+      VOXC_TRY(files.finish());
       if (!files.areLooksWhole())
         exported.warnings.emplace_back(kLooksInPart);
-      colours->tell(exported);
+      colours.tell(exported);
       exported.files = files.files();
       return {};
     }

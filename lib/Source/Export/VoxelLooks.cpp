@@ -9,7 +9,6 @@
 #include <cstring>
 #include <map>
 #include <numeric>
-#include <optional>
 #include <string_view>
 #include <tuple>
 
@@ -70,8 +69,7 @@ Expected<VoxelLooks> VoxelLooks::of(const Volume &volume, const Progress &progre
     }
     return true;
   };
-  if (auto visited = visitVoxels(volume, visit, progress); !visited)
-    return visited.error();
+  VOXC_TRY(visitVoxels(volume, visit, progress));
   if (!std::ranges::is_sorted(found.codes_))
     found.sort();
   return found;

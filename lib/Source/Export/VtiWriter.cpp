@@ -10,7 +10,6 @@
 #include <charconv>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace voxc {
@@ -87,8 +86,7 @@ public:
       block_.insert(block_.end(), words.begin(), words.begin() + static_cast<std::ptrdiff_t>(now));
       words = words.subspan(now);
       if (block_.size() == kBlockCells)
-        if (auto written = flush(); !written)
-          return written;
+        VOXC_TRY(flush());
     }
     return {};
   }
@@ -129,20 +127,15 @@ Expected<void> writeVtkImage(const Volume &volume, OutputFile &file, const Expor
   const std::string head = headOf(volume);
   // Sizes are known last, and stand first.
   std::vector<std::uint64_t> numbers(3 + blocks);
-  if (auto written = file.write(head.data(), head.size()); !written)
-    return written;
-  if (auto written = file.write(numbers.data(), numbers.size() * 8); !written)
-    return written;
+  VOXC_TRY(file.write(head.data(), head.size()));
+  VOXC_TRY(file.write(numbers.data(), numbers.size() * 8));
   BlockWriter writer(file);
   const auto add = [&](std::span<const std::uint32_t> words) { return writer.add(words); };
-  if (auto read = forEachRun(volume, options.save.progress, add); !read)
-    return read;
-  if (auto flushed = writer.flush(); !flushed)
-    return flushed;
+  VOXC_TRY(forEachRun(volume, options.save.progress, add));
+  VOXC_TRY(writer.flush());
   numbers = {blocks, kBlockBytes, cells % kBlockCells * 4};
   numbers.insert(numbers.end(), writer.sizes().begin(), writer.sizes().end());
-  if (auto written = file.rewrite(head.size(), numbers.data(), numbers.size() * 8); !written)
-    return written;
+  VOXC_TRY(file.rewrite(head.size(), numbers.data(), numbers.size() * 8));
   constexpr std::string_view kTail = "\n  </AppendedData>\n</VTKFile>\n";
   return file.write(kTail.data(), kTail.size());
 }

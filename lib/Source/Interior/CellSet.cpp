@@ -23,15 +23,13 @@ BitRange rangeOf(const Cube &cube) { return {placeIn(cube, 0), cellCount(cube.lo
 } // namespace
 
 Expected<std::uint32_t> CellSet::add(const Node &children) {
-  if (auto added = nodes_.push(children); !added)
-    return added.error();
+  VOXC_TRY(nodes_.push(children));
   memory_->relieve(sizeof children);
   return static_cast<std::uint32_t>(nodes_.size() - 1 + kFirst);
 }
 
 Expected<std::uint32_t> CellSet::add(const MortonBits &cells) {
-  if (auto added = leaves_.push(cells); !added)
-    return added.error();
+  VOXC_TRY(leaves_.push(cells));
   memory_->relieve(sizeof cells);
   return static_cast<std::uint32_t>(leaves_.size() - 1 + kFirst);
 }

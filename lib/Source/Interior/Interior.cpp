@@ -13,18 +13,13 @@ namespace {
 /// The source with `word` in what a flood fill from outside does not reach.
 Expected<ChangedSource> fillUnreached(std::unique_ptr<VoxelSource> source, Step step, Choice choice,
                                       std::uint32_t word, const InteriorOptions &options) {
-  auto tree = FloodTree::read(*source, {step, Outside::Empty}, options);
-  if (!tree)
-    return tree.error();
-  if (auto flooded = tree->floodFromOutside(); !flooded)
-    return flooded.error();
-  auto unreached = tree->choose(choice);
-  if (!unreached)
-    return unreached.error();
+  auto tree = VOXC_TRY(FloodTree::read(*source, {step, Outside::Empty}, options));
+  VOXC_TRY(tree.floodFromOutside());
+  auto unreached = VOXC_TRY(tree.choose(choice));
   // Nothing is asked in vain where nothing changes.
-  if (unreached->count == 0)
+  if (unreached.count == 0)
     return ChangedSource{std::move(source), 0};
-  return ChangedSource{paint(std::move(source), std::move(unreached->cells), word), unreached->count};
+  return ChangedSource{paint(std::move(source), std::move(unreached.cells), word), unreached.count};
 }
 
 } // namespace

@@ -28,8 +28,7 @@ public:
   }
 
   Expected<void> read(const Cube &cube, std::uint32_t *words) override {
-    if (auto done = source_->read(cube, words); !done)
-      return done;
+    VOXC_TRY(source_->read(cube, words));
     cells_->paint(cube, word_, words);
     return {};
   }

@@ -61,10 +61,7 @@ private:
 };
 
 Expected<TraceReport> CpuTracer::trace(RaySpan given, std::span<Hit> hits, const TraceOptions &options) {
-  const Expected<RaySpan> fitting = fitting_.fit(given, kernel_.bounded);
-  if (!fitting)
-    return fitting.error();
-  const RaySpan rays = *fitting;
+  const RaySpan rays = VOXC_TRY(fitting_.fit(given, kernel_.bounded));
   if (rays.size() != hits.size())
     return Error::usage("there are " + std::to_string(rays.size()) + " rays, but room for " +
                         std::to_string(hits.size()) + " hits");
@@ -77,19 +74,15 @@ Expected<TraceReport> CpuTracer::trace(RaySpan given, std::span<Hit> hits, const
   const unsigned repeats = std::max(options.repeat, 1u);
   for (unsigned repeat = 0; repeat < repeats; ++repeat) {
     Pass pass{kernel_, words_.data(), rays, hits, options};
-    auto time = run(pass, repeat * count, repeats * count);
-    if (!time)
-      return time.error();
-    report.repeats.push_back(*time);
+    auto time = VOXC_TRY(run(pass, repeat * count, repeats * count));
+    report.repeats.push_back(time);
   }
-  if (auto ended = checkEnded(hits); !ended)
-    return ended.error();
+  VOXC_TRY(checkEnded(hits));
   return report;
 }
 
 Expected<UpdateReport> CpuTracer::update(const Volume &before, const Volume &after) {
-  if (auto fits = checkFit(kernel_.storageDigest, after, "cpu"); !fits)
-    return fits.error();
+  VOXC_TRY(checkFit(kernel_.storageDigest, after, "cpu"));
   if (before.words().data() != words_.data() || before.words().size() != words_.size())
     return notTraced();
   words_ = after.words();
@@ -97,8 +90,7 @@ Expected<UpdateReport> CpuTracer::update(const Volume &before, const Volume &aft
 }
 
 Expected<UpdateReport> CpuTracer::follow(const Volume &after, std::span<const WordRange> /*changed*/) {
-  if (auto fits = checkFit(kernel_.storageDigest, after, "cpu"); !fits)
-    return fits.error();
+  VOXC_TRY(checkFit(kernel_.storageDigest, after, "cpu"));
   words_ = after.words();
   return UpdateReport{};
 }
@@ -131,8 +123,7 @@ Expected<TraceTime> CpuTracer::run(Pass &pass, double before, double total) cons
 
 Expected<std::unique_ptr<Tracer>> createCpuTracer(const CpuKernel &kernel, const Volume &volume,
                                                   unsigned threads) {
-  if (auto fits = checkFit(kernel.storageDigest, volume, "cpu"); !fits)
-    return fits.error();
+  VOXC_TRY(checkFit(kernel.storageDigest, volume, "cpu"));
   if (kernel.isPaged)
     return Error::usage("this kernel is for volumes in pages: createPagedCpuTracer takes it");
   threads = threadsOrAll(threads);

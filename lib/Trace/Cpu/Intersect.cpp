@@ -10,14 +10,12 @@ namespace {
 
 /// `ray`: as many floats as the kernel takes.
 Expected<Hit> intersectOne(const Volume &volume, const CpuKernel &kernel, const float *ray) {
-  if (auto fits = checkFit(kernel.storageDigest, volume, "cpu"); !fits)
-    return fits.error();
+  VOXC_TRY(checkFit(kernel.storageDigest, volume, "cpu"));
   if (kernel.isPaged)
     return Error::usage("this kernel is for volumes in pages: createPagedCpuTracer takes it");
   Hit hit;
   kernel.function(volume.words().data(), ray, reinterpret_cast<std::uint32_t *>(&hit), 1, false, 0);
-  if (auto ended = checkEnded({&hit, 1}); !ended)
-    return ended.error();
+  VOXC_TRY(checkEnded({&hit, 1}));
   return hit;
 }
 

@@ -31,20 +31,13 @@ Expected<InstanceKernels> InstanceKernels::create(const Device::State &device,
   InstanceKernels kernels(device);
   std::array<VkDescriptorType, 4> bindings;
   bindings.fill(VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
-  auto layout = ComputeLayout::create(device, bindings, sizeof(InstanceRound));
-  if (!layout)
-    return layout.error();
-  kernels.layout_ = std::move(*layout);
+  kernels.layout_ = VOXC_TRY(ComputeLayout::create(device, bindings, sizeof(InstanceRound)));
   const VkSpecializationInfo specialization{std::size(kConstantEntries), kConstantEntries, sizeof constants,
                                             &constants};
   for (std::size_t kernel = 0; kernel < kInstanceKernels; ++kernel) {
-    auto module = createModule(device, kModules[kernel]);
-    if (!module)
-      return module.error();
-    auto pipeline = kernels.layout_.createPipeline(module->get(), specialization, cache);
-    if (!pipeline)
-      return pipeline.error();
-    kernels.pipelines_[kernel] = std::move(*pipeline);
+    auto module = VOXC_TRY(createModule(device, kModules[kernel]));
+    kernels.pipelines_[kernel] =
+        VOXC_TRY(kernels.layout_.createPipeline(module.get(), specialization, cache));
   }
   return kernels;
 }

@@ -1,8 +1,6 @@
 // How instances lie in a buffer of words.
 #include "InstanceLayout.h"
 
-#include <algorithm>
-#include <bit>
 #include <cstring>
 
 namespace voxc {

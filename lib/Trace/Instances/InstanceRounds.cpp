@@ -192,8 +192,7 @@ Expected<void> InstanceRounds::traceGroup(std::uint32_t group, std::span<Instanc
   const auto [tracer, isBounded] = world_.groups[group];
   const RaySpan rays = isBounded ? gather(group, &Candidates::boundedRays, boundedRays_)
                                  : gather(group, &Candidates::rays, rays_);
-  if (auto traced = tracer->trace(rays, found_, options); !traced)
-    return traced.error();
+  VOXC_TRY(tracer->trace(rays, found_, options));
   parallelFor(chunks_.size(), threads_, [&](std::uint64_t index) {
     const Candidates &candidates = chunks_[index].candidates[group];
     for (std::size_t i = 0; i < candidates.numbers.size(); ++i) {
@@ -217,8 +216,7 @@ Expected<void> InstanceRounds::trace(const RaySpan &rays, std::span<InstanceHit>
     parallelFor(chunks_.size(), threads_,
                 [&](std::uint64_t index) { select(chunks_[index], rays, hits, most); });
     for (std::uint32_t group = 0; group < world_.groups.size(); ++group)
-      if (auto traced = traceGroup(group, hits, options); !traced)
-        return traced;
+      VOXC_TRY(traceGroup(group, hits, options));
   }
   return {};
 }

@@ -70,11 +70,9 @@ Expected<World> worldOf(std::span<const RecordedVolume> volumes,
   for (const RecordedInstance &instance : instances) {
     if (instance.volume >= volumes.size())
       return wrongInstance(records.size(), "is of a volume that is not in the list");
-    const auto fromWorld = fromWorldOf(instance.toWorld, records.size());
-    if (!fromWorld)
-      return fromWorld.error();
-    boxes.push_back(boxOf(glm::dmat4(instance.toWorld), *fromWorld, instance.extent));
-    records.push_back({*fromWorld, instance.volume});
+    const auto fromWorld = VOXC_TRY(fromWorldOf(instance.toWorld, records.size()));
+    boxes.push_back(boxOf(glm::dmat4(instance.toWorld), fromWorld, instance.extent));
+    records.push_back({fromWorld, instance.volume});
   }
   std::vector<std::uint32_t> wordsOfRays;
   for (const RecordedVolume &volume : volumes)
@@ -84,14 +82,9 @@ Expected<World> worldOf(std::span<const RecordedVolume> volumes,
 }
 
 Expected<Buffer> uploadWorld(Device::State &device, std::span<const std::uint32_t> words) {
-  auto transfer = Transfer::create(device);
-  if (!transfer)
-    return transfer.error();
-  auto buffer = Buffer::create(device, {.what = "the instances", .bytes = words.size_bytes()});
-  if (!buffer)
-    return buffer.error();
-  if (auto uploaded = transfer->upload(std::as_bytes(words), *buffer); !uploaded)
-    return uploaded.error();
+  auto transfer = VOXC_TRY(Transfer::create(device));
+  auto buffer = VOXC_TRY(Buffer::create(device, {.what = "the instances", .bytes = words.size_bytes()}));
+  VOXC_TRY(transfer.upload(std::as_bytes(words), buffer));
   return buffer;
 }
 
@@ -101,29 +94,22 @@ Expected<InstancedRecorder> InstancedRecorder::create(Device &device, std::span<
                                                       std::span<const RecordedInstance> instances,
                                                       const InstancedRecorderOptions &options) {
   Device::State &state = device.state();
-  if (auto checked = checkVolumes(volumes, options.boundedRays); !checked)
-    return checked.error();
+  VOXC_TRY(checkVolumes(volumes, options.boundedRays));
   if (instances.size() >= InstanceTree::kLeaf)
     return Error::usage("there are " + std::to_string(instances.size()) + " instances, which are too many");
   if (!state.physical.features.shaderFloat64)
     return Error::environment(
         state.info().name +
         " has no float64 (shaderFloat64), by which rays are taken to instances: use an InstancedTracer");
-  auto world = worldOf(volumes, instances);
-  if (!world)
-    return world.error();
-  auto buffer = uploadWorld(state, world->words);
-  if (!buffer)
-    return buffer.error();
-  auto kernels = InstanceKernels::create(state,
-                                         {options.boundedRays, state.info().loops == Loops::Cut, world->stack,
-                                          static_cast<std::uint32_t>(volumes.size())},
-                                         options.pipelineCache);
-  if (!kernels)
-    return kernels.error();
+  auto world = VOXC_TRY(worldOf(volumes, instances));
+  auto buffer = VOXC_TRY(uploadWorld(state, world.words));
+  auto kernels = VOXC_TRY(InstanceKernels::create(state,
+                                                  {options.boundedRays, state.info().loops == Loops::Cut,
+                                                   world.stack, static_cast<std::uint32_t>(volumes.size())},
+                                                  options.pipelineCache));
   State made{&state,
-             std::move(*kernels),
-             std::move(*buffer),
+             std::move(kernels),
+             std::move(buffer),
              {},
              {},
              options.boundedRays ? sizeof(BoundedRay) : sizeof(Ray),
@@ -149,35 +135,31 @@ Expected<BoundInstancedTrace> InstancedRecorder::bind(const TraceBuffers &buffer
   for (const Row &row :
        {Row{"rays", buffers.rays, state_->bytesOfRay}, Row{"hits", buffers.hits, sizeof(InstanceHit)},
         Row{"scratch memory", buffers.scratch, scratchBytes(1)}})
-    if (auto checked = checkRange(device, row.what, row.range, row.leastBytes); !checked)
-      return checked.error();
+    VOXC_TRY(checkRange(device, row.what, row.range, row.leastBytes));
   auto layout =
       InstanceScratch::within(buffers.scratch.bytes / sizeof(std::uint32_t), state_->volumes.size());
   const std::uint64_t most = device.physical.limits.maxComputeWorkGroupCount[0];
   layout.tileRays = std::min(layout.tileRays, most * kWorkgroupSize);
-  auto set = state_->kernels.bind({descriptorOf(buffers.rays), descriptorOf(buffers.hits),
-                                   VkDescriptorBufferInfo{state_->world.get(), 0, state_->world.bytes()},
-                                   descriptorOf(buffers.scratch)});
-  if (!set)
-    return set.error();
+  auto set =
+      VOXC_TRY(state_->kernels.bind({descriptorOf(buffers.rays), descriptorOf(buffers.hits),
+                                     VkDescriptorBufferInfo{state_->world.get(), 0, state_->world.bytes()},
+                                     descriptorOf(buffers.scratch)}));
   const auto part = [&](std::uint64_t at, std::uint64_t words) {
     return BufferRange{buffers.scratch.buffer, buffers.scratch.offset + at * sizeof(std::uint32_t),
                        words * sizeof(std::uint32_t)};
   };
   std::vector<BoundTrace> volumes;
   for (std::size_t number = 0; number < state_->volumes.size(); ++number) {
-    auto bound = state_->recorders[number].bind(state_->volumes[number],
-                                                {part(layout.rays(number), 8 * layout.tileRays),
-                                                 part(layout.hits(number), 6 * layout.tileRays),
-                                                 part(layout.deferred(number), layout.tileRays + 64)});
-    if (!bound)
-      return bound.error();
-    volumes.push_back(std::move(*bound));
+    auto bound = VOXC_TRY(state_->recorders[number].bind(
+        state_->volumes[number],
+        {part(layout.rays(number), 8 * layout.tileRays), part(layout.hits(number), 6 * layout.tileRays),
+         part(layout.deferred(number), layout.tileRays + 64)}));
+    volumes.push_back(std::move(bound));
   }
   const std::uint64_t rays =
       std::min(buffers.rays.bytes / state_->bytesOfRay, buffers.hits.bytes / sizeof(InstanceHit));
   return BoundInstancedTrace(std::make_shared<BoundInstancedTrace::State>(
-      BoundInstancedTrace::State{state_, std::move(*set), std::move(volumes), buffers.scratch, layout,
+      BoundInstancedTrace::State{state_, std::move(set), std::move(volumes), buffers.scratch, layout,
                                  static_cast<std::uint32_t>(rays)}));
 }
 

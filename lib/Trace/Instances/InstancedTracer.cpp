@@ -56,11 +56,9 @@ Expected<InstancedTracer> InstancedTracer::create(const std::vector<Instance> &i
   for (const Instance &instance : instances) {
     if (!instance.tracer)
       return wrongInstance(placed.size(), "has no tracer");
-    const auto fromWorld = fromWorldOf(instance.toWorld, placed.size());
-    if (!fromWorld)
-      return fromWorld.error();
-    placed.push_back({*fromWorld, instance.extent, groups.of(instance)});
-    boxes.push_back(boxOf(glm::dmat4(instance.toWorld), *fromWorld, instance.extent));
+    const auto fromWorld = VOXC_TRY(fromWorldOf(instance.toWorld, placed.size()));
+    placed.push_back({fromWorld, instance.extent, groups.of(instance)});
+    boxes.push_back(boxOf(glm::dmat4(instance.toWorld), fromWorld, instance.extent));
   }
   PlacedInstances world{std::move(placed), std::move(groups.groups), InstanceTree(boxes)};
   return InstancedTracer(std::make_unique<State>(std::move(world), threads));
@@ -79,9 +77,7 @@ Expected<void> InstancedTracer::trace(RaySpan rays, std::span<InstanceHit> hits,
                         " is not said to take such: make its tracer with bounds=yes and set `bounded`");
   for (std::size_t first = 0; first < rays.size(); first += kSliceRays) {
     const std::size_t count = std::min(kSliceRays, rays.size() - first);
-    const auto traced = state_->rounds.trace(rays.subspan(first, count), hits.subspan(first, count), options);
-    if (!traced)
-      return traced;
+    VOXC_TRY(state_->rounds.trace(rays.subspan(first, count), hits.subspan(first, count), options));
   }
   return {};
 }

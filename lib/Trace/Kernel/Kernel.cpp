@@ -5,7 +5,6 @@
 
 #include "voxc/Support/File.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
@@ -100,22 +99,18 @@ Expected<Kernel> Kernel::fromSpirv(std::vector<std::uint32_t> spirv) {
     if (text && text->starts_with(kFactsPrefix))
       facts = std::move(text);
   };
-  if (auto visited = spirv::forEachInstruction(spirv, findFacts); !visited)
-    return visited.error();
+  VOXC_TRY(spirv::forEachInstruction(spirv, findFacts));
   if (!facts)
     return Error::input("this SPIR-V module was not made by voxc: it does not say which volumes it fits");
   Kernel kernel;
-  if (auto parsed = parseFacts(*facts, kernel); !parsed)
-    return parsed.error();
+  VOXC_TRY(parseFacts(*facts, kernel));
   kernel.spirv = std::move(spirv);
   return kernel;
 }
 
 Expected<Kernel> Kernel::load(const std::string &path) {
-  auto file = MappedFile::open(path);
-  if (!file)
-    return file.error();
-  std::span<const std::byte> bytes = file->bytes();
+  auto file = VOXC_TRY(MappedFile::open(path));
+  std::span<const std::byte> bytes = file.bytes();
   if (bytes.size() % sizeof(std::uint32_t) != 0)
     return Error::input(path + " is not SPIR-V: its " + std::to_string(bytes.size()) +
                         " bytes are no multiple of 4");

@@ -13,10 +13,10 @@ Expected<void> checkFit(std::uint64_t storageDigest, std::uint64_t volumeDigest,
                         std::string_view emit) {
   if (storageDigest == volumeDigest)
     return {};
-  return Error::input("this kernel was made for another format than the volume's: compile one with `voxc "
-                      "compile '" +
-                      std::string(format) + "' --emit=" + std::string(emit) +
-                      "` and the passes that the volume was built with");
+  return Error::input(
+      "this kernel was made for another format than the volume's: compile one with `voxc compile '" +
+      std::string(format) + "' --emit=" + std::string(emit) +
+      "` and the passes that the volume was built with");
 }
 
 Error notTraced() { return Error::usage("the volume to be replaced is not the one that this tracer traces"); }

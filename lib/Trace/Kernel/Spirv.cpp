@@ -28,8 +28,7 @@ Error badInstruction(std::size_t position, const std::string &problem) {
 
 Expected<void> forEachInstruction(std::span<const std::uint32_t> module,
                                   const std::function<void(const Instruction &)> &visit) {
-  if (auto checked = checkHeader(module); !checked)
-    return checked;
+  VOXC_TRY(checkHeader(module));
   for (std::size_t position = kHeaderWords; position < module.size();) {
     std::uint32_t words = module[position] >> 16;
     std::size_t left = module.size() - position;

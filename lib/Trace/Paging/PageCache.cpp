@@ -101,11 +101,9 @@ PageCache::PageCache(const PagedVolume &volume, const PagingOptions &options, st
 
 Expected<void> PageCache::begin(const Place &place) {
   const std::vector<std::byte> zeros(slotBytes());
-  if (auto placed = place(kZeros, 0, zeros); !placed)
-    return placed;
+  VOXC_TRY(place(kZeros, 0, zeros));
   const std::uint32_t first = 0;
-  if (auto loaded = load({&first, 1}, place); !loaded)
-    return loaded;
+  VOXC_TRY(load({&first, 1}, place));
   lastUse_[kFirstPage] = kForEver;
   return {};
 }
@@ -179,8 +177,7 @@ Expected<bool> PageCache::fetch(std::uint32_t page, std::span<std::byte> slot) c
   const auto room = slot.first(words.bytesOf(page));
   if (takesFrom_ && takesFrom_->take(page, room))
     return true;
-  if (auto decoded = volume_->decode(0, page, room); !decoded)
-    return decoded.error();
+  VOXC_TRY(volume_->decode(0, page, room));
   if (putsOn_)
     putsOn_->put(page, room);
   return false;
@@ -191,10 +188,8 @@ Expected<void> PageCache::decode(std::span<const std::uint32_t> pages) {
   decoded_.resize(kRunPages * slotBytes());
   std::atomic<std::uint64_t> ahead = 0;
   const auto decoded = parallelTry(pages.size(), threads_, [&](std::uint64_t i) -> Expected<void> {
-    const auto fetched = fetch(pages[i], {decoded_.data() + i * slotBytes(), slotBytes()});
-    if (!fetched)
-      return fetched.error();
-    ahead += *fetched ? 1 : 0;
+    const auto fetched = VOXC_TRY(fetch(pages[i], {decoded_.data() + i * slotBytes(), slotBytes()}));
+    ahead += fetched ? 1 : 0;
     return {};
   });
   report_.ahead += ahead;
@@ -220,11 +215,9 @@ Expected<void> PageCache::load(std::span<const std::uint32_t> pages, const Place
     if (progress.stopped())
       return Error::interrupted();
     const auto run = pages.subspan(first, std::min(kRunPages, slots.size() - first));
-    if (auto decoded = decode(run); !decoded)
-      return decoded;
+    VOXC_TRY(decode(run));
     for (std::size_t i = 0; i < run.size(); ++i) {
-      if (auto placed = place(slots[first + i], 0, {decoded_.data() + i * slotBytes(), slotBytes()}); !placed)
-        return placed;
+      VOXC_TRY(place(slots[first + i], 0, {decoded_.data() + i * slotBytes(), slotBytes()}));
       makeResident(run[i], slots[first + i]);
     }
   }
@@ -249,8 +242,7 @@ Expected<std::uint64_t> PageCache::follow(const Volume &after, std::span<const W
       const std::uint64_t pageBegin = page * slotBytes();
       const std::uint64_t from = std::max(begin, pageBegin), to = std::min(end, pageBegin + slotBytes());
       const auto bytes = std::as_bytes(after.words()).subspan(from, to - from);
-      if (auto done = place(entry & kSlotBits, from - pageBegin, bytes); !done)
-        return done.error();
+      VOXC_TRY(place(entry & kSlotBits, from - pageBegin, bytes));
       placed += bytes.size();
     }
   }

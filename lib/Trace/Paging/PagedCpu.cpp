@@ -5,8 +5,6 @@
 #include "Support/ParallelFor.h"
 
 #include <algorithm>
-#include <atomic>
-#include <cstring>
 #include <limits>
 
 namespace voxc {
@@ -83,16 +81,11 @@ createPagedCpuTracer(const CpuKernel &kernel, const PagedVolume &volume, const P
   if (!kernel.isPaged)
     return Error::input(
         "this kernel is for volumes that are loaded as a whole: compile one with addressing=paged");
-  if (auto fits = checkPagedFit(kernel.storageDigest, volume, "cpu"); !fits)
-    return fits.error();
-  auto cache = PageCache::create(volume, options, std::numeric_limits<std::uint64_t>::max());
-  if (!cache)
-    return cache.error();
-  auto standIn = readStandIn(volume, options, kernel.bounded);
-  if (!standIn)
-    return standIn.error();
-  auto backEnd = std::make_unique<CpuPaging>(kernel, *cache, options.threads);
-  return drivePages(std::move(backEnd), std::move(*cache), std::move(*standIn), kernel.bounded);
+  VOXC_TRY(checkPagedFit(kernel.storageDigest, volume, "cpu"));
+  auto cache = VOXC_TRY(PageCache::create(volume, options, std::numeric_limits<std::uint64_t>::max()));
+  auto standIn = VOXC_TRY(readStandIn(volume, options, kernel.bounded));
+  auto backEnd = std::make_unique<CpuPaging>(kernel, cache, options.threads);
+  return drivePages(std::move(backEnd), std::move(cache), std::move(standIn), kernel.bounded);
 }
 
 } // namespace voxc

@@ -75,17 +75,12 @@ PagingReport Driver::paging() const {
 Expected<UpdateReport> Driver::follow(const Volume &after, std::span<const WordRange> changed) {
   if (standIn_)
     return Error::usage("coarse blocks are of the volume as stored; leave them out to trace edits");
-  const auto placed = cache_.follow(after, changed, place());
-  if (!placed)
-    return placed.error();
-  return UpdateReport{.copiedBytes = *placed};
+  const auto placed = VOXC_TRY(cache_.follow(after, changed, place()));
+  return UpdateReport{.copiedBytes = placed};
 }
 
 Expected<TraceReport> Driver::trace(RaySpan given, std::span<Hit> hits, const TraceOptions &options) {
-  const Expected<RaySpan> fitting = fitting_.fit(given, bounded_);
-  if (!fitting)
-    return fitting.error();
-  const RaySpan rays = *fitting;
+  const RaySpan rays = VOXC_TRY(fitting_.fit(given, bounded_));
   if (rays.size() != hits.size())
     return Error::usage("there are " + std::to_string(rays.size()) + " rays, but room for " +
                         std::to_string(hits.size()) + " hits");
@@ -100,13 +95,11 @@ Expected<TraceReport> Driver::trace(RaySpan given, std::span<Hit> hits, const Tr
     const auto part = hits.subspan(first, count);
     std::uint64_t answered = 0;
     for (TraceTime &time : report.repeats) {
-      if (auto taken = backEnd_->take(partRays, part, options, report); !taken)
-        return taken.error();
+      VOXC_TRY(backEnd_->take(partRays, part, options, report));
       Batch batch = {part, options, report, time, {0, count}};
       if (standIn_ && options.coarse.spread > 0)
         batch.coarse.emplace(*standIn_, partRays, part, options.coarse, cache_.threads());
-      if (auto done = traceBatch(batch); !done)
-        return done.error();
+      VOXC_TRY(traceBatch(batch));
       answered = batch.coarse ? batch.coarse->answered() : 0;
       traced += static_cast<double>(count);
       options.progress.at("trace", traced / total, static_cast<std::uint64_t>(traced));
@@ -127,21 +120,16 @@ Expected<void> Driver::traceBatch(Batch &batch) {
   while (batch.group.first < batch.hits.size()) {
     if (batch.options.progress.stopped())
       return Error::interrupted();
-    auto time = backEnd_->trace(batch.group, goesOn, cache_.table(), batch.options);
-    if (!time)
-      return time.error();
-    batch.time.device += time->device;
+    auto time = VOXC_TRY(backEnd_->trace(batch.group, goesOn, cache_.table(), batch.options));
+    batch.time.device += time.device;
     goesOn = true;
     const PageRound round = cache_.takeMarks();
     if (!round.asked.empty() && batch.coarse) {
-      const auto answered = answerCoarsely(batch);
-      if (!answered)
-        return answered.error();
-      if (*answered)
+      const auto answered = VOXC_TRY(answerCoarsely(batch));
+      if (answered)
         continue; // What the others wait for they tell once more.
     }
-    if (auto done = round.asked.empty() ? endGroup(batch) : bring(batch, round); !done)
-      return done;
+    VOXC_TRY(round.asked.empty() ? endGroup(batch) : bring(batch, round));
   }
   batch.time.wall += wallSeconds() - wall;
   batch.time.cpu += processCpuSeconds() - cpu;
@@ -150,23 +138,19 @@ Expected<void> Driver::traceBatch(Batch &batch) {
 
 /// Whether blocks have stood in for what some rays waited for.
 Expected<bool> Driver::answerCoarsely(Batch &batch) {
-  if (auto fetched = backEnd_->fetch(batch.report); !fetched)
-    return fetched.error();
+  VOXC_TRY(backEnd_->fetch(batch.report));
   if (batch.coarse->answer(batch.group.first, batch.group.count) == 0)
     return false;
-  if (auto put = backEnd_->put(batch.report); !put)
-    return put.error();
+  VOXC_TRY(backEnd_->put(batch.report));
   return true;
 }
 
 /// Nobody waits for a page; but a device may have cut rays short, which then go on.
 Expected<void> Driver::endGroup(Batch &batch) {
-  if (auto fetched = backEnd_->fetch(batch.report); !fetched)
-    return fetched;
+  VOXC_TRY(backEnd_->fetch(batch.report));
   RayGroup &group = batch.group;
   const auto hits = batch.hits.subspan(group.first, group.count);
-  if (auto ended = checkEnded(hits); !ended)
-    return ended;
+  VOXC_TRY(checkEnded(hits));
   if (std::ranges::any_of(hits, isUnfinished))
     return {};
   group.first += group.count;
@@ -179,8 +163,7 @@ Expected<void> Driver::bring(Batch &batch, const PageRound &round) {
   // A ray alone asks for one page. Where it goes on it uses no more than those of one way down, all of which
   // have room: so what goes now it has used before that.
   if (batch.group.count == 1) {
-    if (auto goes = checkProgress(batch); !goes)
-      return goes;
+    VOXC_TRY(checkProgress(batch));
     return cache_.load(round.asked, place(), batch.options.progress);
   }
   const std::uint64_t room = cache_.room();
@@ -195,8 +178,7 @@ Expected<void> Driver::bring(Batch &batch, const PageRound &round) {
 Expected<void> Driver::checkProgress(Batch &batch) {
   if (++batch.lonely % kPatience != 0)
     return {};
-  if (auto fetched = backEnd_->fetch(batch.report); !fetched)
-    return fetched;
+  VOXC_TRY(backEnd_->fetch(batch.report));
   const Hit &hit = batch.hits[batch.group.first];
   if (batch.lonely > kPatience && std::ranges::equal(hit.voxel, batch.before.voxel))
     return Error::usage("a ray needs more pages at once than the " + std::to_string(cache_.slots()) +
@@ -213,18 +195,15 @@ Expected<std::unique_ptr<CoarseStandIn>> readStandIn(const PagedVolume &volume, 
     return std::unique_ptr<CoarseStandIn>();
   if (bounded)
     return Error::usage("coarse blocks answer rays without bounds, but the kernel's have bounds");
-  const auto blocks = readCoarseBlocks(volume);
-  if (!blocks)
-    return blocks.error();
+  const auto blocks = VOXC_TRY(readCoarseBlocks(volume));
   const Int3 log2 = volume.info().format.log2Extent();
-  return std::make_unique<CoarseStandIn>(CoarseTree(*blocks, std::max({log2.x, log2.y, log2.z})));
+  return std::make_unique<CoarseStandIn>(CoarseTree(blocks, std::max({log2.x, log2.y, log2.z})));
 }
 
 Expected<std::unique_ptr<PagedTracer>> drivePages(std::unique_ptr<PagedBackEnd> backEnd, PageCache cache,
                                                   std::unique_ptr<CoarseStandIn> standIn, bool bounded) {
   auto driver = std::make_unique<Driver>(std::move(backEnd), std::move(cache), std::move(standIn), bounded);
-  if (auto begun = driver->begin(); !begun)
-    return begun.error();
+  VOXC_TRY(driver->begin());
   return std::unique_ptr<PagedTracer>(std::move(driver));
 }
 

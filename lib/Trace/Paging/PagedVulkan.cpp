@@ -62,64 +62,47 @@ private:
 
 Expected<std::unique_ptr<PagedBackEnd>> VulkanPaging::create(Device::State &device, const Kernel &kernel,
                                                              PageCache &cache) {
-  auto transfer = Transfer::create(device);
-  if (!transfer)
-    return transfer.error();
-  auto pipeline = TracePipeline::create(device, kernel, {cache.log2PageWords(), cache.pages()});
-  if (!pipeline)
-    return pipeline.error();
-  auto tiles = TileQueue::create(device);
-  if (!tiles)
-    return tiles.error();
-  auto slots = Buffer::create(device, {.what = "pages", .bytes = cache.slots() * cache.slotBytes()});
-  if (!slots)
-    return slots.error();
-  auto table = Buffer::create(device, {.what = "a table of pages", .bytes = cache.table().size_bytes()});
-  if (!table)
-    return table.error();
-  return std::unique_ptr<PagedBackEnd>(
-      new VulkanPaging(device, std::move(*transfer), std::move(*pipeline), std::move(*tiles),
-                       std::move(*slots), std::move(*table), cache.slotBytes(), kernel.bounded));
+  auto transfer = VOXC_TRY(Transfer::create(device));
+  auto pipeline = VOXC_TRY(TracePipeline::create(device, kernel, {cache.log2PageWords(), cache.pages()}));
+  auto tiles = VOXC_TRY(TileQueue::create(device));
+  auto slots =
+      VOXC_TRY(Buffer::create(device, {.what = "pages", .bytes = cache.slots() * cache.slotBytes()}));
+  auto table =
+      VOXC_TRY(Buffer::create(device, {.what = "a table of pages", .bytes = cache.table().size_bytes()}));
+  return std::unique_ptr<PagedBackEnd>(new VulkanPaging(device, std::move(transfer), std::move(pipeline),
+                                                        std::move(tiles), std::move(slots), std::move(table),
+                                                        cache.slotBytes(), kernel.bounded));
 }
 
 Expected<void> VulkanPaging::reserve(std::uint64_t rays) {
   if (rays * sizeof(Hit) <= (batch_ ? batch_->hits.bytes() : 0))
     return {};
-  auto batch = RayBuffers::create(*device_, rays, bounded_, tiles_.tileRays());
-  if (!batch)
-    return batch.error();
-  auto bound = pipeline_.bind({wholeOf(batch->rays), wholeOf(batch->hits), wholeOf(slots_),
-                               wholeOf(batch->deferred), wholeOf(table_)});
-  if (!bound)
-    return bound.error();
-  bound_ = std::move(*bound);
-  batch_.emplace(std::move(*batch));
+  auto batch = VOXC_TRY(RayBuffers::create(*device_, rays, bounded_, tiles_.tileRays()));
+  bound_ = VOXC_TRY(pipeline_.bind(
+      {wholeOf(batch.rays), wholeOf(batch.hits), wholeOf(slots_), wholeOf(batch.deferred), wholeOf(table_)}));
+  batch_.emplace(std::move(batch));
   return {};
 }
 
 Expected<void> VulkanPaging::take(RaySpan rays, std::span<Hit> hits, const TraceOptions &options,
                                   TraceReport &report) {
-  if (auto reserved = reserve(rays.size()); !reserved)
-    return reserved;
+  VOXC_TRY(reserve(rays.size()));
   room_ = hits;
   const double begin = wallSeconds();
-  if (auto uploaded = transfer_.upload(rays.bytes(), batch_->rays); !uploaded)
-    return uploaded;
+  VOXC_TRY(transfer_.upload(rays.bytes(), batch_->rays));
   report.transfer += wallSeconds() - begin;
   const Counted counted = countedBy(options);
   if (pipeline_.isPrepared(counted, options.spread, Origins::Anywhere))
     return {};
   const double compiles = wallSeconds();
-  if (auto prepared = pipeline_.prepare(counted, options.spread); !prepared)
-    return prepared;
+  VOXC_TRY(pipeline_.prepare(counted, options.spread));
   report.firstDispatch = wallSeconds() - compiles;
   return {};
 }
 
 Expected<TraceTime> VulkanPaging::trace(RayGroup group, bool goesOn, std::span<std::uint32_t> table,
                                         const TraceOptions &options) {
-  if (auto uploaded = transfer_.upload(std::as_bytes(table), table_); !uploaded)
-    return uploaded.error();
+  VOXC_TRY(transfer_.upload(std::as_bytes(table), table_));
   auto time = tiles_.run({.pipeline = &pipeline_,
                           .buffers = &bound_,
                           .counted = countedBy(options),
@@ -129,8 +112,7 @@ Expected<TraceTime> VulkanPaging::trace(RayGroup group, bool goesOn, std::span<s
                           .tileDone = [&](std::uint32_t) { return !options.progress.stopped(); }});
   if (!time)
     return time;
-  if (auto marks = transfer_.download(table_, std::as_writable_bytes(table)); !marks)
-    return marks.error();
+  VOXC_TRY(transfer_.download(table_, std::as_writable_bytes(table)));
   return time;
 }
 
@@ -157,21 +139,13 @@ Expected<std::unique_ptr<PagedTracer>> createPagedTracer(Device &device, const K
   if (kernel.addressing != Addressing::Paged)
     return Error::input(
         "this kernel is for volumes that are loaded as a whole: compile one with addressing=paged");
-  if (auto fits = checkPagedFit(kernel.storageDigest, volume, "spirv"); !fits)
-    return fits.error();
-  if (auto suits = checkKernel(state.physical, kernel); !suits)
-    return suits.error();
-  auto cache = PageCache::create(
-      volume, options, std::min(device.info().maxStorageBufferBytes, device.info().maxAllocationBytes));
-  if (!cache)
-    return cache.error();
-  auto standIn = readStandIn(volume, options, kernel.bounded);
-  if (!standIn)
-    return standIn.error();
-  auto backEnd = VulkanPaging::create(state, kernel, *cache);
-  if (!backEnd)
-    return backEnd.error();
-  return drivePages(std::move(*backEnd), std::move(*cache), std::move(*standIn), kernel.bounded);
+  VOXC_TRY(checkPagedFit(kernel.storageDigest, volume, "spirv"));
+  VOXC_TRY(checkKernel(state.physical, kernel));
+  auto cache = VOXC_TRY(PageCache::create(
+      volume, options, std::min(device.info().maxStorageBufferBytes, device.info().maxAllocationBytes)));
+  auto standIn = VOXC_TRY(readStandIn(volume, options, kernel.bounded));
+  auto backEnd = VOXC_TRY(VulkanPaging::create(state, kernel, cache));
+  return drivePages(std::move(backEnd), std::move(cache), std::move(standIn), kernel.bounded);
 }
 
 } // namespace voxc

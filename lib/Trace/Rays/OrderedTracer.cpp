@@ -105,10 +105,7 @@ Expected<TraceReport> OrderedTracer::trace(RaySpan rays, std::span<Hit> hits, co
   double choosing = 0, firstDispatch = 0;
   if (isOpen && !choice_.isKnown(rays.size())) {
     const double begin = wallSeconds();
-    const auto learnt = learn(rays, hits, options);
-    if (!learnt)
-      return learnt.error();
-    firstDispatch = *learnt;
+    firstDispatch = VOXC_TRY(learn(rays, hits, options));
     choosing = wallSeconds() - begin - firstDispatch;
   }
   const bool bins = !isOpen || choice_.use();
@@ -146,13 +143,11 @@ Expected<double> OrderedTracer::learn(const RaySpan &rays, std::span<Hit> hits, 
     choice_.learn(mayPay, rays.size());
     return firstDispatch;
   }
-  const auto binned = traceSlice(compared, hits.first(count), some);
-  if (!binned)
-    return binned.error();
+  const auto binned = VOXC_TRY(traceSlice(compared, hits.first(count), some));
   given = tracer_->trace(compared, hits.first(count), some);
   if (!given)
     return given.error();
-  choice_.learn(OrderChoice::pays(secondsOfOne(*given, count), secondsOfOne(*binned, count)), rays.size());
+  choice_.learn(OrderChoice::pays(secondsOfOne(*given, count), secondsOfOne(binned, count)), rays.size());
   return firstDispatch;
 }
 
@@ -163,10 +158,8 @@ Expected<TraceReport> OrderedTracer::traceBins(const RaySpan &rays, std::span<Hi
   for (std::size_t first = 0; first < rays.size(); first += kMaxSliceRays) {
     const std::size_t count = std::min(kMaxSliceRays, rays.size() - first);
     slice.progress = partOf(options.progress, first, count, rays.size(), std::max(options.repeat, 1u));
-    auto traced = traceSlice(rays.subspan(first, count), hits.subspan(first, count), slice);
-    if (!traced)
-      return traced.error();
-    add(report, *traced);
+    auto traced = VOXC_TRY(traceSlice(rays.subspan(first, count), hits.subspan(first, count), slice));
+    add(report, traced);
   }
   return report;
 }
@@ -180,13 +173,11 @@ Expected<TraceReport> OrderedTracer::traceSlice(const RaySpan &rays, std::span<H
   if (hits.size() > hits_.size())
     hits_.resize(hits.size());
   before.addTo(ordering);
-  auto report = tracer_->trace(gathered, std::span(hits_).first(hits.size()), options);
-  if (!report)
-    return report;
+  auto report = VOXC_TRY(tracer_->trace(gathered, std::span(hits_).first(hits.size()), options));
   Watch after;
   scatterHits(hits, order);
   after.addTo(ordering);
-  for (TraceTime &repeat : report->repeats) {
+  for (TraceTime &repeat : report.repeats) {
     repeat.wall += ordering.wall;
     repeat.cpu += ordering.cpu;
   }

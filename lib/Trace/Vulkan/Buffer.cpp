@@ -30,13 +30,10 @@ VkBufferCreateInfo createInfo(const BufferRequest &request) {
 Expected<Buffer> Buffer::create(Device::State &device, const BufferRequest &request) {
   if (request.bytes > device.info().maxAllocationBytes)
     return tooLarge(device, request);
-  auto handle = createObject<BufferHandle>(device, &VulkanFunctions::CreateBuffer, createInfo(request),
-                                           "create a buffer");
-  if (!handle)
-    return handle.error();
-  Buffer buffer(std::move(*handle), request.bytes);
-  if (auto bound = buffer.bind(device, request); !bound)
-    return bound.error();
+  auto handle = VOXC_TRY(createObject<BufferHandle>(device, &VulkanFunctions::CreateBuffer,
+                                                    createInfo(request), "create a buffer"));
+  Buffer buffer(std::move(handle), request.bytes);
+  VOXC_TRY(buffer.bind(device, request));
   return buffer;
 }
 

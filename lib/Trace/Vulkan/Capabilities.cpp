@@ -56,8 +56,7 @@ Expected<void> checkCapabilities(const PhysicalDevice &device, std::span<const s
     if (outcome && instruction.opcode == spirv::kOpCapability && !instruction.operands.empty())
       outcome = checkCapability(device, instruction.operands[0]);
   };
-  if (auto visited = spirv::forEachInstruction(spirv, check); !visited)
-    return visited;
+  VOXC_TRY(spirv::forEachInstruction(spirv, check));
   return outcome;
 }
 

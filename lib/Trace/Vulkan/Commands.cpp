@@ -8,15 +8,12 @@ namespace voxc {
 Expected<Commands> Commands::create(Device::State &device) {
   VkCommandPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
   poolInfo.queueFamilyIndex = device.physical.queueFamily;
-  auto pool = createObject<CommandPoolHandle>(device, &VulkanFunctions::CreateCommandPool, poolInfo,
-                                              "create a command pool");
-  if (!pool)
-    return pool.error();
+  auto pool = VOXC_TRY(createObject<CommandPoolHandle>(device, &VulkanFunctions::CreateCommandPool, poolInfo,
+                                                       "create a command pool"));
   VkFenceCreateInfo fenceInfo{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
-  auto fence = createObject<FenceHandle>(device, &VulkanFunctions::CreateFence, fenceInfo, "create a fence");
-  if (!fence)
-    return fence.error();
-  Commands commands(device, std::move(*pool), std::move(*fence));
+  auto fence =
+      VOXC_TRY(createObject<FenceHandle>(device, &VulkanFunctions::CreateFence, fenceInfo, "create a fence"));
+  Commands commands(device, std::move(pool), std::move(fence));
   VkCommandBufferAllocateInfo bufferInfo{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
   bufferInfo.commandPool = commands.pool_.get();
   bufferInfo.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;

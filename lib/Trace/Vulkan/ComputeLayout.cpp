@@ -16,11 +16,8 @@ Expected<ComputeLayout> ComputeLayout::create(const Device::State &device,
   VkDescriptorSetLayoutCreateInfo setInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
   setInfo.bindingCount = static_cast<std::uint32_t>(places.size());
   setInfo.pBindings = places.data();
-  auto set = createObject<SetLayoutHandle>(device, &VulkanFunctions::CreateDescriptorSetLayout, setInfo,
-                                           "create a descriptor layout");
-  if (!set)
-    return set.error();
-  made.set_ = std::move(*set);
+  made.set_ = VOXC_TRY(createObject<SetLayoutHandle>(device, &VulkanFunctions::CreateDescriptorSetLayout,
+                                                     setInfo, "create a descriptor layout"));
   const VkDescriptorSetLayout setLayout = made.set_.get();
   const VkPushConstantRange pushRange{VK_SHADER_STAGE_COMPUTE_BIT, 0, pushBytes};
   VkPipelineLayoutCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
@@ -28,11 +25,8 @@ Expected<ComputeLayout> ComputeLayout::create(const Device::State &device,
   info.pSetLayouts = &setLayout;
   info.pushConstantRangeCount = 1;
   info.pPushConstantRanges = &pushRange;
-  auto layout = createObject<PipelineLayoutHandle>(device, &VulkanFunctions::CreatePipelineLayout, info,
-                                                   "create a pipeline layout");
-  if (!layout)
-    return layout.error();
-  made.layout_ = std::move(*layout);
+  made.layout_ = VOXC_TRY(createObject<PipelineLayoutHandle>(device, &VulkanFunctions::CreatePipelineLayout,
+                                                             info, "create a pipeline layout"));
   return made;
 }
 
@@ -45,11 +39,9 @@ Expected<BoundSet> ComputeLayout::bind(std::span<const VkDescriptorBufferInfo> b
   poolInfo.maxSets = 1;
   poolInfo.poolSizeCount = static_cast<std::uint32_t>(sizes.size());
   poolInfo.pPoolSizes = sizes.data();
-  auto pool = createObject<DescriptorPoolHandle>(*device_, &VulkanFunctions::CreateDescriptorPool, poolInfo,
-                                                 "create a descriptor pool");
-  if (!pool)
-    return pool.error();
-  BoundSet bound{std::move(*pool)};
+  auto pool = VOXC_TRY(createObject<DescriptorPoolHandle>(*device_, &VulkanFunctions::CreateDescriptorPool,
+                                                          poolInfo, "create a descriptor pool"));
+  BoundSet bound{std::move(pool)};
   const VkDescriptorSetLayout layout = set_.get();
   VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
   info.descriptorPool = bound.pool.get();

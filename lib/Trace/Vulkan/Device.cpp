@@ -71,8 +71,7 @@ Expected<void> checkThreads(const DeviceInfo &info) {
 }
 
 Expected<void> createDevice(Device::State &state) {
-  if (auto checked = checkThreads(state.info()); !checked)
-    return checked;
+  VOXC_TRY(checkThreads(state.info()));
   float priority = 1;
   VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
   queue.queueFamilyIndex = state.physical.queueFamily;
@@ -111,8 +110,7 @@ Expected<Device> Device::open(std::string_view name) {
   if (!best)
     return noSuchDevice(name, devices);
   auto state = std::make_unique<State>(std::move(*instance), *best);
-  if (auto created = createDevice(*state); !created)
-    return created.error();
+  VOXC_TRY(createDevice(*state));
   return Device(std::move(state));
 }
 

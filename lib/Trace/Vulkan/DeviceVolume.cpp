@@ -11,15 +11,11 @@ namespace voxc {
 std::uint64_t DeviceVolume::bytesFor(std::uint64_t words) { return VolumeWords::paddedBytes(words); }
 
 Expected<DeviceVolume> DeviceVolume::upload(Device &device, const Volume &volume, Addressing addressing) {
-  auto transfer = Transfer::create(device.state());
-  if (!transfer)
-    return transfer.error();
-  auto words = VolumeWords::upload(device.state(), *transfer, volume.words(), addressing);
-  if (!words)
-    return words.error();
+  auto transfer = VOXC_TRY(Transfer::create(device.state()));
+  auto words = VOXC_TRY(VolumeWords::upload(device.state(), transfer, volume.words(), addressing));
   auto state = std::make_shared<State>(State{volume.storageDigest(), toString(volume.format()), addressing});
-  state->range = {words->binding().get(), 0, words->binding().bytes()};
-  state->uploaded.emplace(std::move(*words));
+  state->range = {words.binding().get(), 0, words.binding().bytes()};
+  state->uploaded.emplace(std::move(words));
   return DeviceVolume(std::move(state));
 }
 
@@ -35,8 +31,7 @@ Expected<DeviceVolume> DeviceVolume::in(const BufferRange &words, const Volume &
 }
 
 Expected<DeviceVolume> DeviceVolume::withRoom(const BufferRange &room, const Volume &volume) {
-  if (auto fits = in(room, volume); !fits)
-    return fits;
+  VOXC_TRY(in(room, volume));
   return DeviceVolume(std::make_shared<State>(
       State{volume.storageDigest(), toString(volume.format()), Addressing::Buffer, room}));
 }
@@ -58,8 +53,7 @@ void recordOrder(const Device::State &device, VkCommandBuffer commands, VkPipeli
 Expected<std::uint64_t> recordUpdate(Device &device, VkCommandBuffer commands, const DeviceVolume &volume,
                                      const Volume &after, std::span<const WordRange> changed) {
   const DeviceVolume::State &state = *volume.state();
-  if (auto fits = checkFit(state.storageDigest, after, "spirv"); !fits)
-    return fits.error();
+  VOXC_TRY(checkFit(state.storageDigest, after, "spirv"));
   const auto words = after.words();
   if (state.uploaded || state.range.bytes < DeviceVolume::bytesFor(words.size()))
     return Error::usage("the words take " + std::to_string(DeviceVolume::bytesFor(words.size())) +

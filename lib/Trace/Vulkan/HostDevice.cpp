@@ -61,10 +61,8 @@ void useFeatures(PhysicalDevice &device, const HostFeatures &features) {
 
 Expected<HostFeatures> usefulFeatures(VkInstance instance, VkPhysicalDevice physicalDevice,
                                       PFN_vkGetInstanceProcAddr getInstanceProcAddr) {
-  auto functions = hostFunctions(instance, getInstanceProcAddr);
-  if (!functions)
-    return functions.error();
-  const PhysicalDevice device = describe(*functions, physicalDevice);
+  auto functions = VOXC_TRY(hostFunctions(instance, getInstanceProcAddr));
+  const PhysicalDevice device = describe(functions, physicalDevice);
   if (!device.info.usable)
     return tooOld(device);
   return HostFeatures{kernelFeatures(device.features), device.info.deviceAddresses};
@@ -73,14 +71,11 @@ Expected<HostFeatures> usefulFeatures(VkInstance instance, VkPhysicalDevice phys
 Expected<Device> adoptDevice(const HostDevice &host) {
   if (const auto missing = missingHandle(host); !missing.empty())
     return Error::usage("the host's " + std::string(missing) + " is VK_NULL_HANDLE");
-  auto functions = hostFunctions(host.instance, host.getInstanceProcAddr);
-  if (!functions)
-    return functions.error();
-  auto state = std::make_unique<Device::State>(*functions, describe(*functions, host.physicalDevice));
+  auto functions = VOXC_TRY(hostFunctions(host.instance, host.getInstanceProcAddr));
+  auto state = std::make_unique<Device::State>(functions, describe(functions, host.physicalDevice));
   if (!state->info().usable)
     return tooOld(state->physical);
-  if (auto used = useQueue(*functions, state->physical, host.queueFamily); !used)
-    return used.error();
+  VOXC_TRY(useQueue(functions, state->physical, host.queueFamily));
   useFeatures(state->physical, host.features);
   state->device = host.device;
   state->queue = host.queue;

@@ -60,8 +60,7 @@ Expected<std::vector<std::string_view>> featuresOf(const Kernel &kernel) {
     else if (std::ranges::find(features, feature) == features.end())
       features.push_back(feature);
   };
-  if (auto visited = spirv::forEachInstruction(kernel.spirv, look); !visited)
-    return visited.error();
+  VOXC_TRY(spirv::forEachInstruction(kernel.spirv, look));
   if (!known)
     return known.error();
   return features;
@@ -71,11 +70,9 @@ Expected<std::vector<std::string_view>> featuresOf(const Kernel &kernel) {
 
 Expected<KernelInterface> interfaceOf(const Kernel &kernel) {
   if (kernel.addressing == Addressing::Texels)
-    return Error::usage("a kernel that reads words as texels is for voxc's own tracers: compile one with "
-                        "addressing=buffer");
-  auto features = featuresOf(kernel);
-  if (!features)
-    return features.error();
+    return Error::usage(
+        "a kernel that reads words as texels is for voxc's own tracers: compile one with addressing=buffer");
+  auto features = VOXC_TRY(featuresOf(kernel));
   KernelInterface result;
   result.bindings = {rays(kernel.bounded),
                      {1, "hits", "read write", {}, 0, kHit, sizeof(Hit)},
@@ -88,7 +85,7 @@ Expected<KernelInterface> interfaceOf(const Kernel &kernel) {
       {2, "COUNT_WORDS", "bool", "false"},   {3, "EXACT_FALLBACK", "bool", "true"},
       {6, "COMES_NEAR", "bool", "true"},     {7, "gl_WorkGroupSize.x", "uint32", "64"},
   };
-  result.features = std::move(*features);
+  result.features = std::move(features);
   return result;
 }
 

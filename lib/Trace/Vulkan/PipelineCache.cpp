@@ -1,7 +1,6 @@
 // What a driver made of a kernel, kept for the next time.
 #include "PipelineCache.h"
 
-#include <array>
 #include <cstring>
 
 namespace voxc {

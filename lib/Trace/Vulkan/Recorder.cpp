@@ -61,8 +61,7 @@ Expected<void> checkRanges(const Device::State &device, const DeviceVolume &volu
                       {"words", volume.words(), 1},
                       {"scratch memory", buffers.scratch, deferredListBytes(kWorkgroupSize)}};
   for (const Row &row : rows)
-    if (auto checked = checkRange(device, row.what, row.range, row.leastBytes); !checked)
-      return checked;
+    VOXC_TRY(checkRange(device, row.what, row.range, row.leastBytes));
   return {};
 }
 
@@ -82,40 +81,33 @@ Expected<TraceRecorder> TraceRecorder::create(Device &device, const Kernel &kern
   if (kernel.addressing == Addressing::Texels)
     return Error::usage("this kernel reads words as texels, which a recorder does not bind: compile one with "
                         "addressing=buffer");
-  if (auto runs = checkKernel(state.physical, kernel); !runs)
-    return runs.error();
-  auto pipeline = TracePipeline::create(state, kernel);
-  if (!pipeline)
-    return pipeline.error();
+  VOXC_TRY(checkKernel(state.physical, kernel));
+  auto pipeline = VOXC_TRY(TracePipeline::create(state, kernel));
   const Counted counted = options.countSteps ? Counted::Lookups : Counted::Nothing;
-  if (auto prepared = pipeline->prepare(counted, options.spread, Origins::Anywhere, options.pipelineCache);
+  if (auto prepared = pipeline.prepare(counted, options.spread, Origins::Anywhere, options.pipelineCache);
       !prepared)
     return prepared.error();
   const bool cuts = state.info().loops == Loops::Cut;
-  return TraceRecorder(std::make_shared<State>(State{&state, std::move(*pipeline), kernel.storageDigest,
+  return TraceRecorder(std::make_shared<State>(State{&state, std::move(pipeline), kernel.storageDigest,
                                                      kernel.addressing, counted, cuts ? options.resumes : 0,
                                                      kernel.bounded ? sizeof(BoundedRay) : sizeof(Ray)}));
 }
 
 Expected<BoundTrace> TraceRecorder::bind(const DeviceVolume &volume, const TraceBuffers &buffers) const {
   const DeviceVolume::State &words = *volume.state();
-  if (auto fits = checkFit(state_->storageDigest, words.storageDigest, words.format, "spirv"); !fits)
-    return fits.error();
+  VOXC_TRY(checkFit(state_->storageDigest, words.storageDigest, words.format, "spirv"));
   if (state_->addressing != words.addressing)
     return Error::input(
         "this kernel has addressing=" + std::string(toString(state_->addressing)) +
         ", but the volume's words were uploaded with addressing=" + std::string(toString(words.addressing)));
   const Device::State &device = *state_->device;
-  if (auto checked = checkRanges(device, volume, buffers, state_->bytesOfRay); !checked)
-    return checked.error();
-  auto bound = state_->pipeline.bind({descriptorOf(buffers.rays), descriptorOf(buffers.hits),
-                                      descriptorOf(volume.words()), descriptorOf(buffers.scratch)});
-  if (!bound)
-    return bound.error();
+  VOXC_TRY(checkRanges(device, volume, buffers, state_->bytesOfRay));
+  auto bound = VOXC_TRY(state_->pipeline.bind({descriptorOf(buffers.rays), descriptorOf(buffers.hits),
+                                               descriptorOf(volume.words()), descriptorOf(buffers.scratch)}));
   const std::uint64_t rays =
       std::min(buffers.rays.bytes / state_->bytesOfRay, buffers.hits.bytes / sizeof(Hit));
   return BoundTrace(std::make_shared<BoundTrace::State>(
-      BoundTrace::State{state_, volume.state(), std::move(*bound), static_cast<std::uint32_t>(rays),
+      BoundTrace::State{state_, volume.state(), std::move(bound), static_cast<std::uint32_t>(rays),
                         tileRaysOf(device, buffers.scratch.bytes)}));
 }
 
@@ -240,8 +232,7 @@ Expected<void> checkTraces(std::span<const RecordedTrace> traces) {
 } // namespace
 
 Expected<void> recordTraces(VkCommandBuffer commands, std::span<const RecordedTrace> traces) {
-  if (auto checked = checkTraces(traces); !checked)
-    return checked;
+  VOXC_TRY(checkTraces(traces));
   TileRecorder recorder(commands, traces);
   for (std::uint64_t tile = 0; recorder.record(tile); ++tile)
     ;

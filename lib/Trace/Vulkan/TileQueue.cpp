@@ -23,33 +23,23 @@ TileQueue::TileQueue(Device::State &device, std::array<Slot, 2> slots)
 }
 
 Expected<TileQueue> TileQueue::create(Device::State &device) {
-  auto first = createSlot(device);
-  if (!first)
-    return first.error();
-  auto second = createSlot(device);
-  if (!second)
-    return second.error();
-  return TileQueue(device, {std::move(*first), std::move(*second)});
+  auto first = VOXC_TRY(createSlot(device));
+  auto second = VOXC_TRY(createSlot(device));
+  return TileQueue(device, {std::move(first), std::move(second)});
 }
 
 Expected<TileQueue::Slot> TileQueue::createSlot(Device::State &device) {
-  auto commands = Commands::create(device);
-  if (!commands)
-    return commands.error();
-  auto timestamps = Timestamps::create(device);
-  if (!timestamps)
-    return timestamps.error();
-  return Slot{std::move(*commands), std::move(*timestamps)};
+  auto commands = VOXC_TRY(Commands::create(device));
+  auto timestamps = VOXC_TRY(Timestamps::create(device));
+  return Slot{std::move(commands), std::move(timestamps)};
 }
 
 Expected<TraceTime> TileQueue::run(const TilePass &pass) {
   double wall = wallSeconds();
   double cpu = processCpuSeconds();
-  auto span = runTiles(pass);
-  if (!span)
-    return span.error();
+  auto span = VOXC_TRY(runTiles(pass));
   TraceTime time{.wall = wallSeconds() - wall, .cpu = processCpuSeconds() - cpu};
-  time.device = Timestamps::seconds(*device_, span->begin.value_or(span->end), span->end);
+  time.device = Timestamps::seconds(*device_, span.begin.value_or(span.end), span.end);
   return time;
 }
 
@@ -75,19 +65,16 @@ Expected<TileQueue::Span> TileQueue::runTiles(const TilePass &pass) {
 }
 
 Expected<void> TileQueue::start(Slot &slot, const TilePass &pass, std::uint32_t first, std::uint32_t count) {
-  auto commands = slot.commands.begin();
-  if (!commands)
-    return commands.error();
-  slot.timestamps.recordBegin(*commands);
+  auto commands = VOXC_TRY(slot.commands.begin());
+  slot.timestamps.recordBegin(commands);
   if (pass.resolvesAtOnce || pass.task != Task::All)
-    pass.pipeline->recordDispatch(*commands, *pass.buffers, pass.counted, {first, count, pass.task});
+    pass.pipeline->recordDispatch(commands, *pass.buffers, pass.counted, {first, count, pass.task});
   else
-    pass.pipeline->recordDispatches(*commands, *pass.buffers, pass.counted, {first, count, pass.task});
-  slot.timestamps.recordEnd(*commands);
+    pass.pipeline->recordDispatches(commands, *pass.buffers, pass.counted, {first, count, pass.task});
+  slot.timestamps.recordEnd(commands);
   if (first + count == pass.first + pass.rays)
-    recordBarrier(*device_, *commands);
-  if (auto submitted = slot.commands.submit(); !submitted)
-    return submitted;
+    recordBarrier(*device_, commands);
+  VOXC_TRY(slot.commands.submit());
   slot.raysInFlight = count;
   return {};
 }
@@ -96,13 +83,10 @@ Expected<void> TileQueue::finish(Slot &slot, const TilePass &pass, Span &span) {
   std::uint32_t rays = std::exchange(slot.raysInFlight, 0);
   if (rays == 0)
     return {};
-  if (auto waited = slot.commands.wait(); !waited)
-    return waited;
-  auto ticks = slot.timestamps.read();
-  if (!ticks)
-    return ticks.error();
-  span.begin = span.begin.value_or(ticks->begin);
-  span.end = ticks->end;
+  VOXC_TRY(slot.commands.wait());
+  auto ticks = VOXC_TRY(slot.timestamps.read());
+  span.begin = span.begin.value_or(ticks.begin);
+  span.end = ticks.end;
   if (!pass.tileDone(rays))
     return Error::interrupted();
   return {};

@@ -16,11 +16,9 @@ Expected<Timestamps> Timestamps::create(Device::State &device) {
   VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
   info.queryType = VK_QUERY_TYPE_TIMESTAMP;
   info.queryCount = kQueries;
-  auto queries =
-      createObject<QueryPoolHandle>(device, &VulkanFunctions::CreateQueryPool, info, "create timestamps");
-  if (!queries)
-    return queries.error();
-  return Timestamps(device, std::move(*queries));
+  auto queries = VOXC_TRY(
+      createObject<QueryPoolHandle>(device, &VulkanFunctions::CreateQueryPool, info, "create timestamps"));
+  return Timestamps(device, std::move(queries));
 }
 
 void Timestamps::recordBegin(VkCommandBuffer commands) const {

@@ -36,17 +36,12 @@ std::uint32_t groupsOf(const RayTile &tile) { return (tile.rayCount + kWorkgroup
 
 Expected<TracePipeline> TracePipeline::create(Device::State &device, const Kernel &kernel, PageShape pages) {
   TracePipeline pipeline(device, kernel, pages);
-  auto module = createModule(device, kernel.spirv);
-  if (!module)
-    return module.error();
-  pipeline.module_ = std::move(*module);
+  pipeline.module_ = VOXC_TRY(createModule(device, kernel.spirv));
   std::array<VkDescriptorType, kMostBindings> types{};
   for (std::uint32_t index = 0; index < pipeline.bindings_; ++index)
     types[index] = pipeline.typeOf(index);
-  auto layout = ComputeLayout::create(device, std::span(types).first(pipeline.bindings_), sizeof(RayTile));
-  if (!layout)
-    return layout.error();
-  pipeline.layout_ = std::move(*layout);
+  pipeline.layout_ =
+      VOXC_TRY(ComputeLayout::create(device, std::span(types).first(pipeline.bindings_), sizeof(RayTile)));
   return pipeline;
 }
 
@@ -62,23 +57,16 @@ Expected<void> TracePipeline::viewTexels(const VkDescriptorBufferInfo &words, Bo
   info.offset = words.offset;
   // Room that a buffer has for edits may be more than a view shows.
   info.range = std::min(words.range, device_->info().maxTexelBufferBytes);
-  auto view = createObject<BufferViewHandle>(*device_, &VulkanFunctions::CreateBufferView, info,
-                                             "create a view of a volume's words");
-  if (!view)
-    return view.error();
-  bound.texels = std::move(*view);
+  bound.texels = VOXC_TRY(createObject<BufferViewHandle>(*device_, &VulkanFunctions::CreateBufferView, info,
+                                                         "create a view of a volume's words"));
   return {};
 }
 
 Expected<BoundBuffers> TracePipeline::bind(const KernelBuffers &buffers) const {
   BoundBuffers bound{.deferred = buffers[kDeferred]};
   if (addressing_ == Addressing::Texels)
-    if (auto viewed = viewTexels(buffers[kWords], bound); !viewed)
-      return viewed.error();
-  auto set = layout_.bind(std::span(buffers).first(bindings_), bound.texels.get());
-  if (!set)
-    return set.error();
-  bound.set = std::move(*set);
+    VOXC_TRY(viewTexels(buffers[kWords], bound));
+  bound.set = VOXC_TRY(layout_.bind(std::span(buffers).first(bindings_), bound.texels.get()));
   return bound;
 }
 
@@ -89,15 +77,11 @@ Expected<void> TracePipeline::prepare(Counted counted, float spread, Origins ori
   const PipelineCache kept(*device_, isKept ? device_->cache : nullptr, bytesOf<std::uint32_t>(spirv_),
                            bytesOf<Constants>({&constants, 1}));
   cache = isKept ? kept.get() : cache;
-  auto defers = createPipeline(constants, cache);
-  if (!defers)
-    return defers.error();
+  auto defers = VOXC_TRY(createPipeline(constants, cache));
   constants.exactFallback = true;
-  auto resolves = createPipeline(constants, cache);
-  if (!resolves)
-    return resolves.error();
+  auto resolves = VOXC_TRY(createPipeline(constants, cache));
   kept.store();
-  variants_[std::size_t(counted)] = {std::move(*defers), std::move(*resolves), spread, origins};
+  variants_[std::size_t(counted)] = {std::move(defers), std::move(resolves), spread, origins};
   return {};
 }
 

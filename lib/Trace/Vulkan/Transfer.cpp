@@ -12,10 +12,8 @@ constexpr std::size_t kStagingBytes = std::size_t{32} << 20;
 } // namespace
 
 Expected<Transfer> Transfer::create(Device::State &device) {
-  auto commands = Commands::create(device);
-  if (!commands)
-    return commands.error();
-  return Transfer(device, std::move(*commands));
+  auto commands = VOXC_TRY(Commands::create(device));
+  return Transfer(device, std::move(commands));
 }
 
 Expected<void> Transfer::upload(std::span<const std::byte> bytes, Buffer &buffer, std::uint64_t at) {
@@ -23,14 +21,11 @@ Expected<void> Transfer::upload(std::span<const std::byte> bytes, Buffer &buffer
     std::memcpy(buffer.writable() + at, bytes.data(), bytes.size());
     return {};
   }
-  auto stage = staging(uploadStaging_, BufferPlace::Upload);
-  if (!stage)
-    return stage.error();
+  auto stage = VOXC_TRY(staging(uploadStaging_, BufferPlace::Upload));
   for (std::size_t offset = 0; offset < bytes.size(); offset += kStagingBytes) {
     std::size_t size = std::min(kStagingBytes, bytes.size() - offset);
-    std::memcpy((*stage)->writable(), bytes.data() + offset, size);
-    if (auto copied = copy(**stage, buffer, {0, at + offset, size}); !copied)
-      return copied;
+    std::memcpy(stage->writable(), bytes.data() + offset, size);
+    VOXC_TRY(copy(*stage, buffer, {0, at + offset, size}));
   }
   return {};
 }
@@ -39,12 +34,11 @@ Expected<std::uint64_t> Transfer::upload(std::span<const std::uint32_t> words,
                                          std::span<const WordRange> ranges, Buffer &buffer) {
   std::vector<VkBufferCopy> regions;
   std::uint64_t staged = 0, copied = 0;
-  auto stage = buffer.writable() ? Expected<Buffer *>(&buffer) : staging(uploadStaging_, BufferPlace::Upload);
-  if (!stage)
-    return stage.error();
+  auto stage = VOXC_TRY(buffer.writable() ? Expected<Buffer *>(&buffer)
+                                          : staging(uploadStaging_, BufferPlace::Upload));
   const auto flush = [&]() -> Expected<void> {
     const std::span<const VkBufferCopy> waiting = regions;
-    auto done = waiting.empty() ? Expected<void>() : copy(**stage, buffer, waiting);
+    auto done = waiting.empty() ? Expected<void>() : copy(*stage, buffer, waiting);
     regions.clear();
     staged = 0;
     return done;
@@ -54,19 +48,16 @@ Expected<std::uint64_t> Transfer::upload(std::span<const std::uint32_t> words,
     const std::uint64_t at = range.first * sizeof(std::uint32_t);
     copied += bytes.size();
     if (staged + bytes.size() > kStagingBytes)
-      if (auto flushed = flush(); !flushed)
-        return flushed.error();
+      VOXC_TRY(flush());
     if (buffer.writable() || bytes.size() > kStagingBytes) {
-      if (auto uploaded = upload(bytes, buffer, at); !uploaded)
-        return uploaded.error();
+      VOXC_TRY(upload(bytes, buffer, at));
       continue;
     }
-    std::memcpy((*stage)->writable() + staged, bytes.data(), bytes.size());
+    std::memcpy(stage->writable() + staged, bytes.data(), bytes.size());
     regions.push_back({staged, at, bytes.size()});
     staged += bytes.size();
   }
-  if (auto flushed = flush(); !flushed)
-    return flushed.error();
+  VOXC_TRY(flush());
   return copied;
 }
 
@@ -75,38 +66,30 @@ Expected<void> Transfer::download(const Buffer &buffer, std::span<std::byte> byt
     std::memcpy(bytes.data(), buffer.readable(), bytes.size());
     return {};
   }
-  auto stage = staging(downloadStaging_, BufferPlace::Download);
-  if (!stage)
-    return stage.error();
+  auto stage = VOXC_TRY(staging(downloadStaging_, BufferPlace::Download));
   for (std::size_t offset = 0; offset < bytes.size(); offset += kStagingBytes) {
     std::size_t size = std::min(kStagingBytes, bytes.size() - offset);
-    if (auto copied = copy(buffer, **stage, {offset, 0, size}); !copied)
-      return copied;
-    std::memcpy(bytes.data() + offset, (*stage)->writable(), size);
+    VOXC_TRY(copy(buffer, *stage, {offset, 0, size}));
+    std::memcpy(bytes.data() + offset, stage->writable(), size);
   }
   return {};
 }
 
 Expected<Buffer *> Transfer::staging(std::optional<Buffer> &buffer, BufferPlace placement) {
   if (!buffer) {
-    auto created =
-        Buffer::create(*device_, {.what = "staged copies", .bytes = kStagingBytes, .placement = placement});
-    if (!created)
-      return created.error();
-    buffer.emplace(std::move(*created));
+    auto created = VOXC_TRY(
+        Buffer::create(*device_, {.what = "staged copies", .bytes = kStagingBytes, .placement = placement}));
+    buffer.emplace(std::move(created));
   }
   return &*buffer;
 }
 
 Expected<void> Transfer::copy(const Buffer &from, const Buffer &to, std::span<const VkBufferCopy> regions) {
-  auto commands = commands_.begin();
-  if (!commands)
-    return commands.error();
-  device_->vk.CmdCopyBuffer(*commands, from.get(), to.get(), static_cast<std::uint32_t>(regions.size()),
+  auto commands = VOXC_TRY(commands_.begin());
+  device_->vk.CmdCopyBuffer(commands, from.get(), to.get(), static_cast<std::uint32_t>(regions.size()),
                             regions.data());
-  recordBarrier(*device_, *commands);
-  if (auto submitted = commands_.submit(); !submitted)
-    return submitted;
+  recordBarrier(*device_, commands);
+  VOXC_TRY(commands_.submit());
   return commands_.wait();
 }
 

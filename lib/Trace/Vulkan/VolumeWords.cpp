@@ -93,8 +93,7 @@ Expected<std::uint64_t> copyChanges(Transfer &transfer, Buffer &buffer, std::spa
       continue;
     const std::uint64_t at = first * kBlockWords;
     const auto changed = std::as_bytes(after.subspan(at, std::min(end * kBlockWords, after.size()) - at));
-    if (auto uploaded = transfer.upload(changed, buffer, at * sizeof(std::uint32_t)); !uploaded)
-      return uploaded.error();
+    VOXC_TRY(transfer.upload(changed, buffer, at * sizeof(std::uint32_t)));
     copied += changed.size();
     first = end;
   }
@@ -110,23 +109,19 @@ std::uint64_t VolumeWords::partWords() const {
 Expected<VolumeWords> VolumeWords::upload(Device::State &device, Transfer &transfer,
                                           std::span<const std::uint32_t> words, Addressing addressing) {
   VolumeWords result(device, addressing);
-  if (auto copied = result.update(transfer, {}, words); !copied)
-    return copied.error();
+  VOXC_TRY(result.update(transfer, {}, words));
   return result;
 }
 
 Expected<UpdateReport> VolumeWords::update(Transfer &transfer, std::span<const std::uint32_t> before,
                                            std::span<const std::uint32_t> after) {
-  if (auto checked = checkAddressing(*device_, after.size(), addressing_); !checked)
-    return checked.error();
+  VOXC_TRY(checkAddressing(*device_, after.size(), addressing_));
   UpdateReport report;
   parts_.resize(1 + (after.size() - 1) / partWords());
   for (std::uint64_t index = 0; index < parts_.size(); ++index) {
-    auto copied = updatePart(transfer, parts_[index], partOf(before, partWords(), index),
-                             partOf(after, partWords(), index));
-    if (!copied)
-      return copied.error();
-    report.copiedBytes += *copied;
+    auto copied = VOXC_TRY(updatePart(transfer, parts_[index], partOf(before, partWords(), index),
+                                      partOf(after, partWords(), index)));
+    report.copiedBytes += copied;
   }
   return updated(transfer, after.size(), report);
 }
@@ -137,24 +132,20 @@ Expected<UpdateReport> VolumeWords::updated(Transfer &transfer, std::uint64_t wo
     zeros_ = nullptr;
   count_ = words;
   if (addressing_ == Addressing::Segments)
-    if (auto told = uploadTable(transfer); !told)
-      return told.error();
+    VOXC_TRY(uploadTable(transfer));
   return report;
 }
 
 Expected<UpdateReport> VolumeWords::follow(Transfer &transfer, std::span<const std::uint32_t> after,
                                            std::span<const WordRange> changed) {
-  if (auto checked = checkAddressing(*device_, after.size(), addressing_); !checked)
-    return checked.error();
+  VOXC_TRY(checkAddressing(*device_, after.size(), addressing_));
   UpdateReport report;
   parts_.resize(1 + (after.size() - 1) / partWords());
   for (std::uint64_t index = 0; index < parts_.size(); ++index) {
     const auto words = partOf(after, partWords(), index);
-    auto copied =
-        followPart(transfer, parts_[index], words, rangesWithin(changed, index, partWords(), words.size()));
-    if (!copied)
-      return copied.error();
-    report.copiedBytes += *copied;
+    auto copied = VOXC_TRY(
+        followPart(transfer, parts_[index], words, rangesWithin(changed, index, partWords(), words.size())));
+    report.copiedBytes += copied;
   }
   return updated(transfer, after.size(), report);
 }
@@ -167,8 +158,7 @@ Expected<std::uint64_t> VolumeWords::followPart(Transfer &transfer, Part &part,
     return std::uint64_t{0};
   if (!part || part == zeros_)
     return updatePart(transfer, part, {}, after);
-  if (auto room = makeRoom(transfer, part, after.size()); !room)
-    return room.error();
+  VOXC_TRY(makeRoom(transfer, part, after.size()));
   return transfer.upload(after, changed, *part);
 }
 
@@ -186,8 +176,7 @@ Expected<std::uint64_t> VolumeWords::updatePart(Transfer &transfer, Part &part,
     part = nullptr; // Others are that one, too.
   if (!part)
     before = {};
-  if (auto room = makeRoom(transfer, part, after.size()); !room)
-    return room.error();
+  VOXC_TRY(makeRoom(transfer, part, after.size()));
   auto copied = copyChanges(transfer, *part, before, after);
   if (isZero)
     zeros_ = part;
@@ -198,16 +187,13 @@ Expected<void> VolumeWords::makeRoom(Transfer &transfer, Part &part, std::uint64
   if (part && part->bytes() >= paddedBytes(words))
     return {};
   const std::uint64_t bytes = part ? roomyBytes(device_->info(), words, addressing_) : paddedBytes(words);
-  auto buffer = Buffer::create(*device_, {.what = "a volume's words",
-                                          .bytes = bytes,
-                                          .addressed = addressing_ == Addressing::Segments,
-                                          .texels = addressing_ == Addressing::Texels});
-  if (!buffer)
-    return buffer.error();
+  auto buffer = VOXC_TRY(Buffer::create(*device_, {.what = "a volume's words",
+                                                   .bytes = bytes,
+                                                   .addressed = addressing_ == Addressing::Segments,
+                                                   .texels = addressing_ == Addressing::Texels}));
   if (part)
-    if (auto copied = transfer.copy(*part, *buffer, {0, 0, part->bytes()}); !copied)
-      return copied;
-  part = std::make_shared<Buffer>(std::move(*buffer));
+    VOXC_TRY(transfer.copy(*part, buffer, {0, 0, part->bytes()}));
+  part = std::make_shared<Buffer>(std::move(buffer));
   return {};
 }
 
@@ -218,10 +204,8 @@ Expected<void> VolumeWords::uploadTable(Transfer &transfer) {
     addresses.push_back(part->address(*device_));
   const auto bytes = std::as_bytes(std::span<const VkDeviceAddress>(addresses));
   if (!table_ || table_->bytes() < bytes.size()) {
-    auto table = Buffer::create(*device_, {.what = "a table of segments", .bytes = bytes.size()});
-    if (!table)
-      return table.error();
-    table_.emplace(std::move(*table));
+    auto table = VOXC_TRY(Buffer::create(*device_, {.what = "a table of segments", .bytes = bytes.size()}));
+    table_.emplace(std::move(table));
   }
   return transfer.upload(bytes, *table_);
 }

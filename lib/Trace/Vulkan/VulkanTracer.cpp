@@ -9,8 +9,6 @@
 #include "Trace/Rays/OrderedTracer.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 namespace voxc {
 namespace {
@@ -59,35 +57,22 @@ VulkanTracer::VulkanTracer(Device::State &device, std::uint64_t storageDigest, T
 
 Expected<std::unique_ptr<Tracer>> VulkanTracer::create(Device::State &device, const Kernel &kernel,
                                                        const Volume &volume) {
-  if (auto fits = checkFit(kernel.storageDigest, volume, "spirv"); !fits)
-    return fits.error();
+  VOXC_TRY(checkFit(kernel.storageDigest, volume, "spirv"));
   if (kernel.addressing == Addressing::Paged)
     return Error::usage(
         "this kernel is for volumes that are on the device in pages: createPagedTracer takes it");
-  if (auto suits = checkKernel(device.physical, kernel); !suits)
-    return suits.error();
-  auto transfer = Transfer::create(device);
-  if (!transfer)
-    return transfer.error();
-  auto words = VolumeWords::upload(device, *transfer, volume.words(), kernel.addressing);
-  if (!words)
-    return words.error();
-  auto pipeline = TracePipeline::create(device, kernel);
-  if (!pipeline)
-    return pipeline.error();
-  auto tiles = TileQueue::create(device);
-  if (!tiles)
-    return tiles.error();
-  return std::unique_ptr<Tracer>(new VulkanTracer(device, kernel.storageDigest, std::move(*transfer),
-                                                  std::move(*words), std::move(*pipeline), std::move(*tiles),
+  VOXC_TRY(checkKernel(device.physical, kernel));
+  auto transfer = VOXC_TRY(Transfer::create(device));
+  auto words = VOXC_TRY(VolumeWords::upload(device, transfer, volume.words(), kernel.addressing));
+  auto pipeline = VOXC_TRY(TracePipeline::create(device, kernel));
+  auto tiles = VOXC_TRY(TileQueue::create(device));
+  return std::unique_ptr<Tracer>(new VulkanTracer(device, kernel.storageDigest, std::move(transfer),
+                                                  std::move(words), std::move(pipeline), std::move(tiles),
                                                   kernel.bounded, volume.info().extent));
 }
 
 Expected<TraceReport> VulkanTracer::trace(RaySpan given, std::span<Hit> hits, const TraceOptions &options) {
-  const Expected<RaySpan> fitting = fitting_.fit(given, bounded_);
-  if (!fitting)
-    return fitting.error();
-  const RaySpan rays = *fitting;
+  const RaySpan rays = VOXC_TRY(fitting_.fit(given, bounded_));
   if (rays.size() != hits.size())
     return Error::usage("there are " + std::to_string(rays.size()) + " rays, but room for " +
                         std::to_string(hits.size()) + " hits");
@@ -95,12 +80,10 @@ Expected<TraceReport> VulkanTracer::trace(RaySpan given, std::span<Hit> hits, co
   work.report.repeats.resize(std::max(options.repeat, 1u));
   work.totalRays = static_cast<double>(rays.size()) * static_cast<double>(work.report.repeats.size());
   std::uint64_t batch = std::min<std::uint64_t>(batchRays(device_->info(), rays.bytesOfOne()), rays.size());
-  if (auto reserved = reserve(batch); !reserved)
-    return reserved.error();
+  VOXC_TRY(reserve(batch));
   for (std::uint64_t first = 0; first < rays.size(); first += batch) {
     std::uint64_t count = std::min(batch, rays.size() - first);
-    if (auto traced = traceBatch(rays.subspan(first, count), hits.subspan(first, count), work); !traced)
-      return traced.error();
+    VOXC_TRY(traceBatch(rays.subspan(first, count), hits.subspan(first, count), work));
   }
   return work.report;
 }
@@ -108,27 +91,20 @@ Expected<TraceReport> VulkanTracer::trace(RaySpan given, std::span<Hit> hits, co
 Expected<void> VulkanTracer::reserve(std::uint64_t rays) {
   if (rays * sizeof(Hit) <= (batch_ ? batch_->hits.bytes() : 0))
     return {};
-  auto batch = RayBuffers::create(*device_, rays, bounded_, tiles_.tileRays());
-  if (!batch)
-    return batch.error();
-  if (auto bound = bind(*batch); !bound)
-    return bound;
-  batch_.emplace(std::move(*batch));
+  auto batch = VOXC_TRY(RayBuffers::create(*device_, rays, bounded_, tiles_.tileRays()));
+  VOXC_TRY(bind(batch));
+  batch_.emplace(std::move(batch));
   return {};
 }
 
 Expected<void> VulkanTracer::bind(const RayBuffers &batch) {
-  auto bound = pipeline_.bind(
-      {wholeOf(batch.rays), wholeOf(batch.hits), wholeOf(words_.binding()), wholeOf(batch.deferred)});
-  if (!bound)
-    return bound.error();
-  bound_ = std::move(*bound);
+  bound_ = VOXC_TRY(pipeline_.bind(
+      {wholeOf(batch.rays), wholeOf(batch.hits), wholeOf(words_.binding()), wholeOf(batch.deferred)}));
   return {};
 }
 
 Expected<UpdateReport> VulkanTracer::update(const Volume &before, const Volume &after) {
-  if (auto fits = checkFit(storageDigest_, after, "spirv"); !fits)
-    return fits.error();
+  VOXC_TRY(checkFit(storageDigest_, after, "spirv"));
   if (before.words().size() != words_.count())
     return notTraced();
   const VkBuffer binding = words_.binding().get();
@@ -136,8 +112,7 @@ Expected<UpdateReport> VulkanTracer::update(const Volume &before, const Volume &
 }
 
 Expected<UpdateReport> VulkanTracer::follow(const Volume &after, std::span<const WordRange> changed) {
-  if (auto fits = checkFit(storageDigest_, after, "spirv"); !fits)
-    return fits.error();
+  VOXC_TRY(checkFit(storageDigest_, after, "spirv"));
   const VkBuffer binding = words_.binding().get();
   return rebound(words_.follow(transfer_, after.words(), changed), after, binding);
 }
@@ -149,32 +124,26 @@ Expected<UpdateReport> VulkanTracer::rebound(Expected<UpdateReport> report, cons
     extent_ = after.info().extent;
   if (!report || !batch_ || words_.binding().get() == before)
     return report;
-  if (auto bound = bind(*batch_); !bound)
-    return bound.error();
+  VOXC_TRY(bind(*batch_));
   return report;
 }
 
 Expected<void> VulkanTracer::traceBatch(const RaySpan &rays, std::span<Hit> hits, Work &work) {
   double uploadBegin = wallSeconds();
-  if (auto uploaded = transfer_.upload(rays.bytes(), batch_->rays); !uploaded)
-    return uploaded;
+  VOXC_TRY(transfer_.upload(rays.bytes(), batch_->rays));
   work.report.transfer += wallSeconds() - uploadBegin;
   auto count = static_cast<std::uint32_t>(rays.size());
-  if (auto warm = warmUp(rays, work); !warm)
-    return warm;
+  VOXC_TRY(warmUp(rays, work));
   TilePass pass{
       .pipeline = &pipeline_, .buffers = &bound_, .counted = countedBy(work.options), .rays = count};
   pass.tileDone = [&work](std::uint32_t done) { return work.advance(done); };
   for (TraceTime &repeat : work.report.repeats) {
-    auto time = tiles_.run(pass);
-    if (!time)
-      return time.error();
-    repeat.wall += time->wall;
-    repeat.cpu += time->cpu;
-    repeat.device += time->device;
+    auto time = VOXC_TRY(tiles_.run(pass));
+    repeat.wall += time.wall;
+    repeat.cpu += time.cpu;
+    repeat.device += time.device;
   }
-  if (auto downloaded = download(hits, work); !downloaded)
-    return downloaded;
+  VOXC_TRY(download(hits, work));
   return finishRays(hits, work);
 }
 
@@ -188,8 +157,7 @@ Expected<void> VulkanTracer::download(std::span<Hit> hits, Work &work) {
 Expected<void> VulkanTracer::finishRays(std::span<Hit> hits, Work &work) {
   const auto isUnfinished = [](const Hit &hit) { return hit.voxel[0] < -1; };
   for (int pass = 0; std::ranges::any_of(hits, isUnfinished); ++pass) {
-    if (auto ended = checkEnded(hits); !ended)
-      return ended;
+    VOXC_TRY(checkEnded(hits));
     if (pass == kMaxResumes)
       return Error::environment("the kernel left rays unfinished after " + std::to_string(pass) +
                                 " dispatches");
@@ -207,8 +175,7 @@ Expected<void> VulkanTracer::finishRays(std::span<Hit> hits, Work &work) {
       repeat.cpu += time->cpu;
       repeat.device += time->device;
     }
-    if (auto downloaded = download(hits, work); !downloaded)
-      return downloaded;
+    VOXC_TRY(download(hits, work));
   }
   return {};
 }
@@ -222,8 +189,7 @@ Expected<void> VulkanTracer::warmUp(const RaySpan &rays, Work &work) {
   // Some drivers compile when the pipeline is made, others at its first dispatch: one group of rays decides
   // both.
   double begin = wallSeconds();
-  if (auto prepared = pipeline_.prepare(counted, spread, origins); !prepared)
-    return prepared;
+  VOXC_TRY(pipeline_.prepare(counted, spread, origins));
   for (const bool resolvesAtOnce : {true, false})
     if (auto time = tiles_.run(
             {.pipeline = &pipeline_,
@@ -239,11 +205,9 @@ Expected<void> VulkanTracer::warmUp(const RaySpan &rays, Work &work) {
 
 Expected<std::unique_ptr<Tracer>> createTracer(Device &device, const Kernel &kernel, const Volume &volume,
                                                unsigned threads) {
-  auto tracer = VulkanTracer::create(device.state(), kernel, volume);
-  if (!tracer)
-    return tracer;
+  auto tracer = VOXC_TRY(VulkanTracer::create(device.state(), kernel, volume));
   // What orders rays is this processor; a device of its own traces them in less time.
-  return inOrder(std::move(*tracer), volume, threads, device.info().kind == "cpu");
+  return inOrder(std::move(tracer), volume, threads, device.info().kind == "cpu");
 }
 
 } // namespace voxc

@@ -51,12 +51,8 @@ private:
       const std::string problem = problemOf(*given(), target);
       return problem.empty() ? Expected<const Plan *>(given()) : Error::input(problem);
     }
-    if (!made) {
-      Expected<Plan> plan = makePlan(*format(), options);
-      if (!plan)
-        return plan.error();
-      made = std::move(*plan);
-    }
+    if (!made)
+      made = VOXC_TRY(makePlan(*format(), options));
     return &*made;
   }
 
@@ -88,23 +84,16 @@ public:
   const std::string &name() const { return name_; }
 
   Expected<const Plan *> headerPlan(EmitTarget target = EmitTarget::Functions) {
-    const Expected<const Plan *> asked = plans_.given() ? plans_.given() : plans_.device();
-    if (!asked)
-      return asked;
-    if ((*asked)->stopsAboveVoxels())
+    const auto asked = VOXC_TRY(plans_.given() ? plans_.given() : plans_.device());
+    if (asked->stopsAboveVoxels())
       return Error::input("the functions of a header stop at voxels alone: leave out --detail cone");
     return plans_.functions(target);
   }
 
   Expected<const Kernel *> kernel() {
     if (!kernel_) {
-      const Expected<const Plan *> plan = plans_.device();
-      if (!plan)
-        return plan.error();
-      Expected<Kernel> kernel = compileKernel(**plan, choices_.optimise);
-      if (!kernel)
-        return kernel.error();
-      kernel_ = std::move(*kernel);
+      const auto plan = VOXC_TRY(plans_.device());
+      kernel_ = VOXC_TRY(compileKernel(*plan, choices_.optimise));
     }
     return &*kernel_;
   }
@@ -151,12 +140,10 @@ Expected<std::string> makeConstruct(Generator &generator) {
 
 Expected<std::string> makeEdit(Generator &generator) {
   const Plan *const given = generator.plans().given();
-  const Expected<const Plan *> plan = given ? Expected<const Plan *>(given) : generator.plans().device();
-  if (!plan)
-    return plan.error();
-  if (const std::string reason = whyNoEdits((*plan)->layout); !reason.empty())
+  const auto plan = VOXC_TRY(given ? Expected<const Plan *>(given) : generator.plans().device());
+  if (const std::string reason = whyNoEdits(plan->layout); !reason.empty())
     return Error::input("this format cannot be edited: " + reason);
-  return emitEdit(**plan);
+  return emitEdit(*plan);
 }
 
 Expected<std::string> makeGlsl(Generator &generator) {
@@ -169,10 +156,8 @@ Expected<std::string> makeCpp(Generator &generator) {
 }
 
 Expected<std::string> makeSpirv(Generator &generator) {
-  Expected<const Kernel *> kernel = generator.kernel();
-  if (!kernel)
-    return kernel.error();
-  const auto bytes = std::as_bytes(std::span((*kernel)->spirv));
+  auto kernel = VOXC_TRY(generator.kernel());
+  const auto bytes = std::as_bytes(std::span(kernel->spirv));
   return std::string(reinterpret_cast<const char *>(bytes.data()), bytes.size());
 }
 
@@ -182,18 +167,14 @@ Expected<std::string> makeSpirvText(Generator &generator) {
 }
 
 template <ShadingLanguage language> Expected<std::string> makeTranslation(Generator &generator) {
-  const Expected<const Plan *> plan = generator.plans().translated();
-  if (!plan)
-    return plan.error();
-  const Expected<Kernel> kernel = compileKernel(**plan, generator.choices().optimise);
+  const auto plan = VOXC_TRY(generator.plans().translated());
+  const Expected<Kernel> kernel = compileKernel(*plan, generator.choices().optimise);
   return kernel ? translateKernel(*kernel, language) : Expected<std::string>(kernel.error());
 }
 
 Expected<std::string> makeInterface(Generator &generator) {
-  Expected<const Kernel *> kernel = generator.kernel();
-  if (!kernel)
-    return kernel.error();
-  return interfaceText((*generator.plans().device())->layout.format, **kernel);
+  auto kernel = VOXC_TRY(generator.kernel());
+  return interfaceText((*generator.plans().device())->layout.format, *kernel);
 }
 
 Expected<std::string> makeCpuObject(Generator &generator) {
@@ -219,13 +200,10 @@ Expected<std::string> makeWebGl(Generator &generator) {
 }
 
 Expected<std::string> makeIntersection(Generator &generator) {
-  Expected<const Plan *> plan = generator.headerPlan();
-  if (!plan)
-    return plan.error();
+  auto plan = VOXC_TRY(generator.headerPlan());
   for (const RayStage stage : {RayStage::Intersection, RayStage::ClosestHit})
-    if (const auto module = compileRayShader(**plan, generator.name(), stage); !module)
-      return module.error();
-  return emitRayShader(**plan, generator.name(), RayStage::Intersection);
+    VOXC_TRY(compileRayShader(*plan, generator.name(), stage));
+  return emitRayShader(*plan, generator.name(), RayStage::Intersection);
 }
 
 std::vector<Artefact> noCompanions(Generator &) { return {}; }
@@ -320,18 +298,14 @@ std::vector<std::string> artefactNames() {
 Expected<std::vector<Artefact>> makeArtefacts(const std::variant<Format, Plan> &source,
                                               const std::vector<std::string> &kinds,
                                               const KernelChoices &choices, bool alone) {
-  auto generator = Generator::create(source, choices);
-  if (!generator)
-    return generator.error();
+  auto generator = VOXC_TRY(Generator::create(source, choices));
   std::vector<Artefact> artefacts;
   for (const std::string &name : kinds) {
     const ArtefactKind &kind = findArtefact(name);
-    Expected<std::string> contents = kind.make(*generator);
-    if (!contents)
-      return contents.error();
-    artefacts.push_back({fileOf(kind, *generator), std::move(*contents)});
+    auto contents = VOXC_TRY(kind.make(generator));
+    artefacts.push_back({fileOf(kind, generator), std::move(contents)});
     if (!alone)
-      std::ranges::move(kind.companions(*generator), std::back_inserter(artefacts));
+      std::ranges::move(kind.companions(generator), std::back_inserter(artefacts));
   }
   return artefacts;
 }

@@ -41,8 +41,7 @@ public:
   Expected<void> read(Int3 voxel, std::uint64_t number) {
     const std::uint64_t code = mortonCode(voxel);
     if (code >> (3 * kLog2Block) != block_)
-      if (auto done = readBlock(code >> (3 * kLog2Block)); !done)
-        return done;
+      VOXC_TRY(readBlock(code >> (3 * kLog2Block)));
     std::memcpy(&elements_[number * sizeof(std::uint32_t)], &words_[code % kBlockVoxels],
                 sizeof(std::uint32_t));
     return {};
@@ -55,8 +54,7 @@ private:
     const Cube cube{mortonCell(block << (3 * kLog2Block)), kLog2Block};
     words_.fill(0);
     if (!input_.empty(cube))
-      if (auto done = input_.read(cube, words_.data()); !done)
-        return done;
+      VOXC_TRY(input_.read(cube, words_.data()));
     block_ = block;
     return {};
   }
@@ -107,16 +105,12 @@ std::string textOf(Int3 extent) {
 Expected<std::vector<std::byte>> wordsAt(const std::string &path, const InputOptions &options,
                                          const Volume &volume, std::uint64_t mostBytes) {
   const Int3 extent = volume.info().extent;
-  const Expected<Input> input = openInput(path, options);
-  if (!input)
-    return input.error();
-  if (input->source->extent() != extent)
-    return Error::input("'" + path + "' has " + textOf(input->source->extent()) +
+  const auto input = VOXC_TRY(openInput(path, options));
+  if (input.source->extent() != extent)
+    return Error::input("'" + path + "' has " + textOf(input.source->extent()) +
                         " voxels, but the volume has " + textOf(extent));
-  auto elements = zeroElements(volume, sizeof(std::uint32_t), mostBytes);
-  if (!elements)
-    return elements.error();
-  WordReading reading(*input->source, std::move(*elements));
+  auto elements = VOXC_TRY(zeroElements(volume, sizeof(std::uint32_t), mostBytes));
+  WordReading reading(*input.source, std::move(elements));
   Expected<void> done;
   const auto visited = visitVoxels(
       volume,
@@ -199,11 +193,9 @@ Expected<Attribute> materialOfInput(const std::string &text, const Volume &volum
   InputOptions options = makeInputOptions(arguments, extent);
   options.materialWords = row->words;
   options.progress = progress;
-  auto words = wordsAt(parts->second, options, volume, mostBytes);
-  if (!words)
-    return words.error();
-  makeElements(*words, *row);
-  return Attribute{parts->first, sizeof(std::uint32_t), std::move(*words)};
+  auto words = VOXC_TRY(wordsAt(parts->second, options, volume, mostBytes));
+  makeElements(words, *row);
+  return Attribute{parts->first, sizeof(std::uint32_t), std::move(words)};
 }
 
 Expected<Attribute> dataOfFile(const std::string &text, const Volume &volume) {
@@ -217,10 +209,8 @@ Expected<Attribute> dataOfFile(const std::string &text, const Volume &volume) {
   if (!isNumber || bytes == 0)
     return Error::usage("--data is written NAME:BYTES=FILE, such as weight:4=weights.bin, not '" + text +
                         "'");
-  const Expected<MappedFile> file = MappedFile::open(parts->second);
-  if (!file)
-    return file.error();
-  const auto all = file->bytes();
+  const auto file = VOXC_TRY(MappedFile::open(parts->second));
+  const auto all = file.bytes();
   if (all.size() / bytes != volume.info().voxels || all.size() % bytes != 0)
     return Error::input("'" + parts->second + "' has " + std::to_string(all.size()) +
                         " bytes, but the volume's " + std::to_string(volume.info().voxels) + " voxels take " +

@@ -87,13 +87,11 @@ Expected<Format> BuildSession::suggestFormat(const std::string &device, const Co
   request.wish.maxBytes = std::min(maxWordsOf(buildArguments_), kMaxWords) * sizeof(std::uint32_t);
   request.memory = makeWorkingMemory(buildArguments_);
   const Stopwatch watch;
-  Expected<Suggestion> suggestion = makeSuggestion(request, common, progress, figures);
-  if (!suggestion)
-    return suggestion.error();
+  auto suggestion = VOXC_TRY(makeSuggestion(request, common, progress, figures));
   figures["choose_seconds"] = watch.seconds();
-  const Candidate &candidate = suggestion->rated[suggestion->choice].candidate;
-  inputArguments_ = suggestion->arguments;
-  told_ = std::move(suggestion->told);
+  const Candidate &candidate = suggestion.rated[suggestion.choice].candidate;
+  inputArguments_ = suggestion.arguments;
+  told_ = std::move(suggestion.told);
   format_ = candidate.text;
   suggestedPasses_ = candidate.passes;
   figures["format"] = candidate.text;
@@ -114,8 +112,7 @@ Expected<Format> BuildSession::readFormat(const std::string &device, const Commo
   if (!format)
     return format;
   written_ = *format;
-  if (Expected<void> passed = passes_.apply(*format, tellingMissed(common.quiet)); !passed)
-    return passed.error();
+  VOXC_TRY(passes_.apply(*format, tellingMissed(common.quiet)));
   return format;
 }
 
@@ -132,8 +129,7 @@ Expected<Format> BuildSession::formOf(const Format &from, const PayloadChoice *c
     if (diagnostics.hasErrors())
       return Error::input(diagnostics.all().front().message);
   }
-  if (Expected<void> passed = runPasses(format, passes_.namesWith(pointerBits)); !passed)
-    return passed.error();
+  VOXC_TRY(runPasses(format, passes_.namesWith(pointerBits)));
   for (const AttributeKind *kind : formatAttributes())
     if (kind->effect == AttributeEffect::Traversal)
       format.setAttribute(*kind, from.attributes.value(*kind));
@@ -162,11 +158,9 @@ Expected<void> BuildSession::chooseByFacts(Format &format, VoxelSource &source,
     return checked;
   const Stopwatch watch;
   const std::unique_ptr<VoxelSource> view = source.view();
-  const auto facts = measureFacts(view ? *view : source, {.memory = memory}, progress);
-  if (!facts)
-    return facts.error();
+  const auto facts = VOXC_TRY(measureFacts(view ? *view : source, {.memory = memory}, progress));
   figures["choose_seconds"] = watch.seconds();
-  const std::optional<int> bits = asksBits ? choosePointers(*facts, common, figures) : std::nullopt;
+  const std::optional<int> bits = asksBits ? choosePointers(facts, common, figures) : std::nullopt;
   if (!payload_.isAuto()) {
     Expected<Format> formed = formOf(format, nullptr, bits);
     if (formed)
@@ -174,7 +168,7 @@ Expected<void> BuildSession::chooseByFacts(Format &format, VoxelSource &source,
     return formed ? Expected<void>() : formed.error();
   }
   const auto form = [&](const PayloadChoice &choice) { return formOf(format, &choice, bits); };
-  Expected<void> chosen = payload_.apply(format, form, *facts, figures);
+  Expected<void> chosen = payload_.apply(format, form, facts, figures);
   if (chosen && !common.quiet)
     printNote("payload " + std::string(figures["payload"]) + ": " + std::string(figures["payload_why"]));
   return chosen;
@@ -193,8 +187,7 @@ void BuildSession::tellLoss(const Prepared &prepared, const BuildReport &report,
 
 Expected<BuildSession::Opened> BuildSession::open(Format &format, const CommonOptions &common,
                                                   const Progress &progress, Json &figures) const {
-  if (Expected<void> checked = checkInputArguments(inputArguments_, input_); !checked)
-    return checked.error();
+  VOXC_TRY(checkInputArguments(inputArguments_, input_));
   const auto memory = makeWorkingMemory(buildArguments_);
   InputArguments arguments = inputArguments_;
   if (hasLabels(format) && arguments.colourMap.empty())
@@ -207,71 +200,59 @@ Expected<BuildSession::Opened> BuildSession::open(Format &format, const CommonOp
   const Stopwatch opening;
   if (frames_ && withoutFrame(input_) != input_)
     return Error::usage("'" + input_ + "' names one frame, and --frames takes all; leave one of them out");
-  Expected<Input> input = openInput(input_, options);
-  if (!input)
-    return input.error();
-  if (frames_ && input->frames < 2)
+  auto input = VOXC_TRY(openInput(input_, options));
+  if (frames_ && input.frames < 2)
     return Error::input("'" + input_ + "' has no frames; leave --frames out");
   figures["input_seconds"] = opening.seconds();
   ToldSentences told = told_;
-  tellWarnings(*input, common, told);
-  if (Expected<void> chosen = chooseByFacts(format, *input->source, memory, common, progress, figures);
+  tellWarnings(input, common, told);
+  if (Expected<void> chosen = chooseByFacts(format, *input.source, memory, common, progress, figures);
       !chosen)
     return chosen.error();
-  return Opened{std::move(*input), std::move(arguments), std::move(options)};
+  return Opened{std::move(input), std::move(arguments), std::move(options)};
 }
 
 Expected<BuildSession::Prepared> BuildSession::prepare(Format &format, const CommonOptions &common,
                                                        const Progress &progress, Json &figures) const {
-  Expected<Opened> opened = open(format, common, progress, figures);
-  if (!opened)
-    return opened.error();
-  Input *input = &opened->input;
+  auto opened = VOXC_TRY(open(format, common, progress, figures));
+  Input *input = &opened.input;
   const unsigned threads = threadsOf(buildArguments_);
-  BuildOptions options{"", threads, opened->options.memory, "", progress};
-  Expected<Constructor> constructor = Constructor::compile(format, compileCache());
-  if (!constructor)
-    return constructor.error();
+  BuildOptions options{"", threads, opened.options.memory, "", progress};
+  auto constructor = VOXC_TRY(Constructor::compile(format, compileCache()));
   options.provenance = input->provenance;
   std::unique_ptr<RoundedSource> reduced;
   if (lossy_ && frames_)
     return Error::usage("--lossy takes the colours of one frame; leave it or --frames out");
-  if (lossy_) {
-    auto made = reduceToPalette(*input->source, format, progress);
-    if (!made)
-      return made.error();
-    reduced = std::move(*made);
-  }
+  if (lossy_)
+    reduced = VOXC_TRY(reduceToPalette(*input->source, format, progress));
   if (reduced)
     options.provenance += std::string(" colours=") + kReducedColours;
   figures["input"] = input_;
   figures["passes"] = suggestedPasses_.empty() ? passes_.names() : suggestedPasses_;
   figures["threads"] = threads;
   figures["memory_bound_bytes"] = options.memory->bound();
-  figures["compile_seconds"] = constructor->compileSeconds();
+  figures["compile_seconds"] = constructor.compileSeconds();
   addInputFigures(figures, *input);
-  return Prepared{std::move(*constructor), std::move(opened->input), std::move(opened->options),
+  return Prepared{std::move(constructor), std::move(opened.input), std::move(opened.options),
                   std::move(options), std::move(reduced)};
 }
 
 Expected<Volume> BuildSession::build(Format &format, const std::string &path, const CommonOptions &common,
                                      const Progress &progress, Json &figures) const {
-  Expected<Prepared> prepared = prepare(format, common, progress, figures);
-  if (!prepared)
-    return prepared.error();
-  prepared->options.path = path;
-  prepared->options.compress = buildArguments_.compress;
-  prepared->options.maxWords = maxWordsOf(buildArguments_);
+  auto prepared = VOXC_TRY(prepare(format, common, progress, figures));
+  prepared.options.path = path;
+  prepared.options.compress = buildArguments_.compress;
+  prepared.options.maxWords = maxWordsOf(buildArguments_);
   if (frames_)
-    return buildFrames(format, std::move(*prepared), figures);
-  BuildResult built = prepared->constructor.build(prepared->source(), prepared->options);
+    return buildFrames(format, std::move(prepared), figures);
+  BuildResult built = prepared.constructor.build(prepared.source(), prepared.options);
   if (!built) {
     figures["words"] = built.wordsReached();
     return built.error();
   }
   addVolumeFigures(figures, built->volume);
   addBuildFigures(figures, built->report);
-  tellLoss(*prepared, built->report, common, figures);
+  tellLoss(prepared, built->report, common, figures);
   if (!path.empty()) {
     addFileFigure(figures, path);
     addWritten(figures, path);
@@ -285,19 +266,17 @@ Expected<Volume> BuildSession::build(Format &format, const std::string &path, co
 Expected<Volume> BuildSession::buildFrames(const Format &format, Prepared prepared, Json &figures) const {
   const std::size_t count = prepared.input.frames;
   const OpenFrame open = makeFrameInputs(input_, std::move(prepared.input.source), prepared.inputOptions);
-  Expected<BuiltFrames> built = voxc::buildFrames(format, count, open, prepared.options, compileCache());
-  if (!built)
-    return built.error();
-  addVolumeFigures(figures, built->volume);
-  addBuildFigures(figures, built->report);
-  for (const FrameReport &frame : built->frames)
+  auto built = VOXC_TRY(voxc::buildFrames(format, count, open, prepared.options, compileCache()));
+  addVolumeFigures(figures, built.volume);
+  addBuildFigures(figures, built.report);
+  for (const FrameReport &frame : built.frames)
     figures["animation"].push_back(
         {{"voxels", frame.voxels}, {"changed_voxels", frame.changed}, {"words", frame.words}});
   if (!prepared.options.path.empty()) {
     addFileFigure(figures, prepared.options.path);
     addWritten(figures, prepared.options.path);
   }
-  return std::move(built->volume);
+  return std::move(built.volume);
 }
 
 Expected<void> BuildSession::buildFragment(Format &format, std::uint64_t index, std::uint64_t count,
@@ -306,21 +285,17 @@ Expected<void> BuildSession::buildFragment(Format &format, std::uint64_t index, 
   if (buildArguments_.compress)
     return Error::usage(
         "a fragment is not compressed; give --compress to the voxc merge that makes a volume of it");
-  Expected<Prepared> prepared = prepare(format, common, progress, figures);
-  if (!prepared)
-    return prepared.error();
-  Expected<BuildReport> report =
-      prepared->constructor.buildFragment(prepared->source(), index, count, path, prepared->options);
-  if (!report)
-    return report.error();
+  auto prepared = VOXC_TRY(prepare(format, common, progress, figures));
+  auto report =
+      VOXC_TRY(prepared.constructor.buildFragment(prepared.source(), index, count, path, prepared.options));
   figures["fragment"] = index;
   figures["fragments"] = count;
-  figures["voxels"] = report->voxels;
-  figures["build_seconds"] = report->seconds;
-  figures["build_cpu_seconds"] = report->cpuSeconds;
-  figures["voxelize_seconds"] = report->readSeconds;
-  figures["scratch_bytes"] = report->scratchBytes;
-  tellLoss(*prepared, *report, common, figures);
+  figures["voxels"] = report.voxels;
+  figures["build_seconds"] = report.seconds;
+  figures["build_cpu_seconds"] = report.cpuSeconds;
+  figures["voxelize_seconds"] = report.readSeconds;
+  figures["scratch_bytes"] = report.scratchBytes;
+  tellLoss(prepared, report, common, figures);
   addFileFigure(figures, path);
   addWritten(figures, path);
   return {};

@@ -10,12 +10,12 @@ namespace voxc::tool {
 
 std::string errorText(const ColourError &error) {
   char text[256];
-  std::snprintf(
-      text, sizeof text,
-      "largest error of R, G, B and alpha %d, %d, %d and %d of 255, mean %.3f, %.3f, %.3f and %.3f, root of "
-      "the mean square %.3f, %.3f, %.3f and %.3f",
-      error.largest[0], error.largest[1], error.largest[2], error.largest[3], error.mean[0], error.mean[1],
-      error.mean[2], error.mean[3], error.rms[0], error.rms[1], error.rms[2], error.rms[3]);
+  std::snprintf(text, sizeof text,
+                "largest error of R, G, B and alpha %d, %d, %d and %d of 255, mean %.3f, %.3f, %.3f and "
+                "%.3f, root of the mean square %.3f, %.3f, %.3f and %.3f",
+                error.largest[0], error.largest[1], error.largest[2], error.largest[3], error.mean[0],
+                error.mean[1], error.mean[2], error.mean[3], error.rms[0], error.rms[1], error.rms[2],
+                error.rms[3]);
   return text;
 }
 
@@ -29,11 +29,9 @@ Expected<std::unique_ptr<RoundedSource>> reduceToPalette(VoxelSource &source, co
   if (layout.hasLabels() || layout.payloadBits == 0)
     return Error::usage("--lossy chooses the colours of a palette; give --palette=N as well");
   const std::unique_ptr<VoxelSource> view = source.view();
-  Expected<Rounding> rounding =
-      reduceColours(view ? *view : source, std::size_t{1} << layout.payloadBits, progress);
-  if (!rounding)
-    return rounding.error();
-  return *rounding ? std::make_unique<RoundedSource>(source, *rounding) : nullptr;
+  auto rounding =
+      VOXC_TRY(reduceColours(view ? *view : source, std::size_t{1} << layout.payloadBits, progress));
+  return rounding ? std::make_unique<RoundedSource>(source, rounding) : nullptr;
 }
 
 Expected<std::unique_ptr<RoundedSource>> asKept(const Volume &volume, VoxelSource &source,

@@ -24,8 +24,7 @@ public:
         log2Side_(std::max(log2Bound(volume.extent()), log2Bound(input.extent()))) {}
 
   Expected<VoxelDifferences> run() {
-    if (auto compared = descend({{}, log2Side_}); !compared)
-      return compared.error();
+    VOXC_TRY(descend({{}, log2Side_}));
     return differences_;
   }
 
@@ -51,10 +50,8 @@ private:
   }
 
   Expected<void> compareBlock(const Cube &cube) {
-    if (auto done = volume_.read(cube, volumeWords_.data()); !done)
-      return done;
-    if (auto done = input_.read(cube, inputWords_.data()); !done)
-      return done;
+    VOXC_TRY(volume_.read(cube, volumeWords_.data()));
+    VOXC_TRY(input_.read(cube, inputWords_.data()));
     for (std::size_t i = 0; i < kBlockVoxels; ++i)
       compareVoxel(cube.low + mortonCell(i), volumeWords_[i], inputWords_[i]);
     progress_.at("comparing", double(mortonCode(cube.low)) / double(std::uint64_t{1} << (3 * log2Side_)));

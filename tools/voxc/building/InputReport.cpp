@@ -79,22 +79,20 @@ Expected<void> reportInput(const std::string &input, const CommonOptions &common
   options.describe = true;
   options.memory = makeWorkingMemory(BuildArguments());
   options.progress = bar.progress();
-  const Expected<Input> opened = openInput(input, options);
-  if (!opened)
-    return opened.error();
+  const auto opened = VOXC_TRY(openInput(input, options));
   bar.clear();
-  const Int3 extent = opened->source->extent();
-  for (const InputFact &fact : opened->facts)
+  const Int3 extent = opened.source->extent();
+  for (const InputFact &fact : opened.facts)
     figures[keyOf(fact.name)] = valueOf(fact);
   figures["extent"] = {extent.x, extent.y, extent.z};
-  figures["voxel_to_model"] = rowsOf(opened->source->voxelToModel());
-  figures["warnings"] = opened->warnings;
-  figures["notes"] = opened->notes;
+  figures["voxel_to_model"] = rowsOf(opened.source->voxelToModel());
+  figures["warnings"] = opened.warnings;
+  figures["notes"] = opened.notes;
   const std::string atResolution =
       arguments.resolution > 0 ? ", at --resolution=" + std::to_string(arguments.resolution) : "";
   if (tellsOnStdout(common))
-    print(*opened, std::to_string(extent.x) + " x " + std::to_string(extent.y) + " x " +
-                       std::to_string(extent.z) + atResolution);
+    print(opened, std::to_string(extent.x) + " x " + std::to_string(extent.y) + " x " +
+                      std::to_string(extent.z) + atResolution);
   return {};
 }
 

@@ -55,22 +55,20 @@ std::string hexadecimal(std::uint64_t number) {
 } // namespace
 
 Expected<std::string> interfaceText(std::string_view format, const Kernel &kernel) {
-  const Expected<KernelInterface> interface = interfaceOf(kernel);
-  if (!interface)
-    return interface.error();
+  const auto interface = VOXC_TRY(interfaceOf(kernel));
   const Json json{{"format", format},
                   {"storage_digest", hexadecimal(kernel.storageDigest)},
                   {"addressing", toString(kernel.addressing)},
                   {"loops", toString(kernel.loops)},
                   {"arithmetic", toString(kernel.arithmetic)},
-                  {"entry_point", interface->entryPoint},
-                  {"workgroup_size", interface->workgroupSize},
-                  {"descriptor_set", interface->descriptorSet},
-                  {"bindings", list(interface->bindings, binding)},
-                  {"push_constants", fields(interface->pushConstants)},
-                  {"push_constant_bytes", interface->pushConstantBytes},
-                  {"specialization_constants", list(interface->constants, constant)},
-                  {"features", interface->features}};
+                  {"entry_point", interface.entryPoint},
+                  {"workgroup_size", interface.workgroupSize},
+                  {"descriptor_set", interface.descriptorSet},
+                  {"bindings", list(interface.bindings, binding)},
+                  {"push_constants", fields(interface.pushConstants)},
+                  {"push_constant_bytes", interface.pushConstantBytes},
+                  {"specialization_constants", list(interface.constants, constant)},
+                  {"features", interface.features}};
   return json.dump(2) + "\n";
 }
 

@@ -57,8 +57,7 @@ void printRegions(Report &report, const Facts &facts) {
   const std::uint64_t most = voxels[static_cast<std::size_t>(densest)];
   const int log2Side = facts.regions.log2Side;
   report.print("regions     %d of 64 (2^%d a side) are empty; the densest, (%d, %d, %d), has %.1f %% of the "
-               "voxels and "
-               "is %.2f %% full\n",
+               "voxels and is %.2f %% full\n",
                static_cast<int>(std::ranges::count(voxels, 0u)), log2Side, densest % 4, densest / 4 % 4,
                densest / 16, percentOf(most, facts.voxels),
                percentOf(most, std::uint64_t{1} << 3 * log2Side));
@@ -69,10 +68,10 @@ void printColours(Report &report, const Facts &facts) {
   report.print("colours     %s, %s without alpha; bits a voxel: entropy %s%.2f, index %d\n",
                textOf(colours.words).c_str(), textOf(colours.rgb).c_str(),
                colours.entropyExact ? "" : "at least ", colours.entropy, colours.indexBits());
-  report.print(
-      "near        %.2f colours in a block of 4^3, %.2f in 8^3, %.2f in 256 voxels in a row; %.1f %% repeat "
-      "the one before\n",
-      colours.perBlock4, colours.perBlock8, colours.perRun256, percentOf(colours.repeats, facts.voxels));
+  report.print("near        %.2f colours in a block of 4^3, %.2f in 8^3, %.2f in 256 voxels in a row; %.1f "
+               "%% repeat the one before\n",
+               colours.perBlock4, colours.perBlock8, colours.perRun256,
+               percentOf(colours.repeats, facts.voxels));
   report.print("channels   ");
   for (std::size_t i = 0; i < colours.channels.size(); ++i) {
     const ChannelFacts &channel = colours.channels[i];

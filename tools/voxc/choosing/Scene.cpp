@@ -19,12 +19,10 @@ Expected<Scene> readScene(const std::string &input, const InputArguments &argume
   ToldSentences told;
   std::string provenance;
   const auto open = [&]() -> Expected<std::unique_ptr<VoxelSource>> {
-    Expected<Input> opened = openInput(input, options);
-    if (!opened)
-      return opened.error();
-    tellWarnings(*opened, common, told);
-    provenance = opened->provenance;
-    return std::move(opened->source);
+    auto opened = VOXC_TRY(openInput(input, options));
+    tellWarnings(opened, common, told);
+    provenance = opened.provenance;
+    return std::move(opened.source);
   };
   const Stopwatch watch;
   Expected<SearchScene> scene = readSearchScene(input, open, memory, progress);
@@ -37,10 +35,8 @@ Expected<Scene> readScene(const std::string &input, const InputArguments &argume
 Expected<std::vector<Candidate>> readCandidates(const std::string &list, const SearchScene &scene) {
   std::vector<std::string> texts;
   if (!list.empty()) {
-    const auto lines = measure::readFormatList(list);
-    if (!lines)
-      return lines.error();
-    for (const measure::FormatLine &line : *lines)
+    const auto lines = VOXC_TRY(measure::readFormatList(list));
+    for (const measure::FormatLine &line : lines)
       texts.push_back(line.text);
   }
   return candidatesOf(texts, scene);

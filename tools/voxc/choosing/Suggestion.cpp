@@ -16,13 +16,11 @@ Expected<std::vector<RaySet>> readRaySets(const std::vector<std::string> &paths,
   const int longestEdge = std::max({scene.extent.x, scene.extent.y, scene.extent.z});
   std::vector<RaySet> sets;
   for (const std::string &path : paths) {
-    Expected<std::vector<Ray>> rays = readRays(path);
-    if (!rays)
-      return rays.error();
-    if (rays->size() < kSimulatedPacket)
-      return Error::input("'" + path + "' has " + std::to_string(rays->size()) + " rays; " +
+    auto rays = VOXC_TRY(readRays(path));
+    if (rays.size() < kSimulatedPacket)
+      return Error::input("'" + path + "' has " + std::to_string(rays.size()) + " rays; " +
                           std::to_string(kSimulatedPacket) + " or more show what a packet costs");
-    sets.push_back(samplePackets(path, std::move(*rays), kConsideredRays, longestEdge, RayOrder::Auto));
+    sets.push_back(samplePackets(path, std::move(rays), kConsideredRays, longestEdge, RayOrder::Auto));
   }
   return sets;
 }
@@ -33,27 +31,21 @@ Expected<Suggestion> makeSuggestion(const SuggestRequest &request, const CommonO
                                     const Progress &progress, Json &figures) {
   InputArguments arguments = request.arguments;
   fillResolution(arguments, request.input);
-  Expected<Scene> scene = readScene(request.input, arguments, request.memory, common, progress, figures);
-  if (!scene)
-    return scene.error();
-  scene->traits.editable = request.editable;
-  Expected<std::vector<Candidate>> candidates = readCandidates(request.formatList, *scene);
-  if (!candidates)
-    return candidates.error();
-  Expected<std::vector<RaySet>> rays = readRaySets(request.rayFiles, *scene);
-  if (!rays)
-    return rays.error();
-  noteOtherSizes(*candidates, *scene, common);
+  auto scene = VOXC_TRY(readScene(request.input, arguments, request.memory, common, progress, figures));
+  scene.traits.editable = request.editable;
+  auto candidates = VOXC_TRY(readCandidates(request.formatList, scene));
+  auto rays = VOXC_TRY(readRaySets(request.rayFiles, scene));
+  noteOtherSizes(candidates, scene, common);
   const measure::KnownSpeeds speeds = measure::knownSpeedsOf(request.device);
   const Stopwatch watch;
   auto suggested = suggestFormat(
-      *scene, {.wish = request.wish, .candidates = std::move(*candidates), .rays = std::move(*rays)},
+      scene, {.wish = request.wish, .candidates = std::move(candidates), .rays = std::move(rays)},
       speeds.model, progress);
   figures["rate_seconds"] = watch.seconds();
   if (!suggested)
     return suggested.error();
-  return Suggestion{std::move(*suggested),  request.input, std::move(arguments), request.device,
-                    std::move(scene->told), scene->voxels, scene->valueWords,    speeds.isMeasured};
+  return Suggestion{std::move(*suggested), request.input, std::move(arguments), request.device,
+                    std::move(scene.told), scene.voxels,  scene.valueWords,     speeds.isMeasured};
 }
 
 } // namespace voxc::tool

@@ -47,17 +47,12 @@ public:
   }
 
   Expected<void> run() override {
-    if (Expected<void> writable = checkOutputFile(output_); !writable)
-      return writable;
-    Expected<Volume> loaded = volume_.load();
-    if (!loaded)
-      return loaded.error();
-    std::shared_ptr<const Volume> volume = std::make_shared<const Volume>(std::move(*loaded));
+    VOXC_TRY(checkOutputFile(output_));
+    auto loaded = VOXC_TRY(volume_.load());
+    std::shared_ptr<const Volume> volume = std::make_shared<const Volume>(std::move(loaded));
     ProgressBar bar(common_.quiet);
-    const Expected<std::size_t> changed = change(volume, bar.progress());
-    if (!changed)
-      return changed.error();
-    if (*changed == 0)
+    const auto changed = VOXC_TRY(change(volume, bar.progress()));
+    if (changed == 0)
       return Error::usage(
           "there is nothing to attach; give --normals, --words, --material, --data or --drop");
     if (Expected<void> saved = volume->save(output_, {.compress = arguments_.compress,
@@ -77,22 +72,18 @@ private:
   Expected<std::size_t> change(std::shared_ptr<const Volume> &volume, const Progress &progress) const {
     const std::uint64_t mostBytes = makeWorkingMemory(arguments_)->bound();
     for (const std::string &name : drop_)
-      if (Expected<void> dropped = take(withoutAttribute(volume, name), volume); !dropped)
-        return dropped.error();
+      VOXC_TRY(take(withoutAttribute(volume, name), volume));
     if (normals_)
       if (Expected<void> added =
               add(normalAttribute(*volume, threadsOf(arguments_), progress, mostBytes), volume);
           !added)
         return added.error();
     for (const std::string &text : words_)
-      if (Expected<void> added = add(wordsOfInput(text, *volume, mostBytes, progress), volume); !added)
-        return added.error();
+      VOXC_TRY(add(wordsOfInput(text, *volume, mostBytes, progress), volume));
     for (const std::string &text : material_)
-      if (Expected<void> added = add(materialOfInput(text, *volume, mostBytes, progress), volume); !added)
-        return added.error();
+      VOXC_TRY(add(materialOfInput(text, *volume, mostBytes, progress), volume));
     for (const std::string &text : data_)
-      if (Expected<void> added = add(dataOfFile(text, *volume), volume); !added)
-        return added.error();
+      VOXC_TRY(add(dataOfFile(text, *volume), volume));
     return drop_.size() + normals_ + words_.size() + material_.size() + data_.size();
   }
 

@@ -32,21 +32,17 @@ private:
   Expected<void> runTasks() {
     Json figures;
     ProgressBar bar(common_.quiet);
-    if (Expected<void> built = tasks_->run(building_.means(), bar.progress(), figures); !built)
-      return built;
+    VOXC_TRY(tasks_->run(building_.means(), bar.progress(), figures));
     bar.clear();
     return tellFigures(common_, figures);
   }
 
   Expected<void> runWhole() {
-    if (Expected<void> writable = checkOutputFile(output_); !writable)
-      return writable;
+    VOXC_TRY(checkOutputFile(output_));
     Json figures;
     ProgressBar bar(common_.quiet);
-    Expected<Format> format = building_.readFormat("cpu", common_, bar.progress(), figures);
-    if (!format)
-      return format.error();
-    if (Expected<void> built = build(*format, bar.progress(), figures); !built) {
+    auto format = VOXC_TRY(building_.readFormat("cpu", common_, bar.progress(), figures));
+    if (Expected<void> built = build(format, bar.progress(), figures); !built) {
       // How far it came; that this cannot be written as well is no news.
       figures["failed"] = built.error().message;
       static_cast<void>(writeStatistics(common_.stats, figures));

@@ -24,22 +24,19 @@ public:
       std::printf("there is no cache: VOXC_CACHE is off, or there is no home folder\n");
       return {};
     }
-    const Expected<CompileCache> cache = CompileCache::open(folder);
-    if (!cache)
-      return cache.error();
+    const auto cache = VOXC_TRY(CompileCache::open(folder));
     if (clear_)
-      if (Expected<void> cleared = cache->clear(); !cleared)
-        return cleared;
-    const CompileCache::Usage usage = cache->usage();
+      VOXC_TRY(cache.clear());
+    const CompileCache::Usage usage = cache.usage();
     constexpr double kMiB = 1 << 20;
     if (tellsOnStdout(common_))
       std::printf("%s: %llu entries, %.1f of at most %.0f MiB\n", folder.c_str(),
                   static_cast<unsigned long long>(usage.entries), double(usage.bytes) / kMiB,
-                  double(cache->mostBytes()) / kMiB);
+                  double(cache.mostBytes()) / kMiB);
     return writeStatistics(common_.stats, {{"folder", folder},
                                            {"entries", usage.entries},
                                            {"bytes", usage.bytes},
-                                           {"most_bytes", cache->mostBytes()}});
+                                           {"most_bytes", cache.mostBytes()}});
   }
 
 private:

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <variant>
@@ -94,14 +93,14 @@ void CompileCommand::declare(const CommandLine &command) {
           .takes("whole|cut")
           .oneOf(namesOf<Loops>())
           .showsDefault();
-  const Option arithmetic = command
-                                .add("--arithmetic", arithmetic_,
-                                     "What the kernel relies on: that the device rounds float32 to nearest "
-                                     "if it is asked to, or that "
-                                     "it counts as IEEE 754 says; any is right everywhere")
-                                .takes("any|nearest|ieee")
-                                .oneOf(namesOf<Arithmetic>())
-                                .showsDefault();
+  const Option arithmetic =
+      command
+          .add("--arithmetic", arithmetic_,
+               "What the kernel relies on: that the device rounds float32 to nearest if it is asked to, or "
+               "that it counts as IEEE 754 says; any is right everywhere")
+          .takes("any|nearest|ieee")
+          .oneOf(namesOf<Arithmetic>())
+          .showsDefault();
   command.addFlag("--spirv-opt", optimise_, "Optimise the kernel with spirv-opt");
   command.add("--symbol", cpu_.symbol, "Name of the function in intersect.cpp and intersect.o")
       .takes("NAME")
@@ -122,8 +121,7 @@ void CompileCommand::declare(const CommandLine &command) {
   command
       .add("--language", language_,
            "Language of a header: GLSL, that of WebGL 2, C++20, CUDA, HLSL, or that of WebGPU; shared is "
-           "GLSL and C++ in "
-           "one text")
+           "GLSL and C++ in one text")
       .takes("shared|glsl|essl|cpp|cuda|hlsl|wgsl")
       .oneOf(namesOf<HeaderLanguage>())
       .showsDefault();
@@ -139,19 +137,15 @@ void CompileCommand::declare(const CommandLine &command) {
 }
 
 Expected<void> CompileCommand::applyChoices(Format &format) const {
-  if (Expected<void> passed = passes_.apply(format, tellingMissed(common_.quiet)); !passed)
-    return passed;
+  VOXC_TRY(passes_.apply(format, tellingMissed(common_.quiet)));
   return attributes_.apply(format);
 }
 
 /// A plan has made its choices already.
 Expected<std::variant<Format, Plan>> CompileCommand::readSource() const {
-  Expected<std::variant<Format, Plan>> source = readFormatOrPlan(format_);
-  if (!source)
-    return source;
-  if (Format *const format = std::get_if<Format>(&*source)) {
-    if (Expected<void> applied = applyChoices(*format); !applied)
-      return applied.error();
+  auto source = VOXC_TRY(readFormatOrPlan(format_));
+  if (Format *const format = std::get_if<Format>(&source)) {
+    VOXC_TRY(applyChoices(*format));
     return source;
   }
   for (const Option &option : command_->given())
@@ -175,8 +169,7 @@ Expected<std::vector<Artefact>> CompileCommand::generate(const std::variant<Form
 Expected<void> CompileCommand::write(const std::vector<Artefact> &artefacts) const {
   if (folder_ == "-")
     return writeText("-", artefacts.front().contents);
-  if (Expected<void> made = makeOutputFolder(folder_); !made)
-    return made;
+  VOXC_TRY(makeOutputFolder(folder_));
   for (const Artefact &artefact : artefacts)
     if (Expected<void> written =
             writeText((std::filesystem::path(folder_) / artefact.file).string(), artefact.contents);
@@ -189,25 +182,19 @@ Expected<void> CompileCommand::run() {
   if (folder_ == "-" && kinds_.size() != 1)
     return Error::usage("-o - prints one kind, but --emit names " + std::to_string(kinds_.size()));
   if (folder_ == "-")
-    if (Expected<void> free = checkOutput(folder_, common_); !free)
-      return free;
-  const Expected<std::variant<Format, Plan>> source = readSource();
-  if (!source)
-    return source.error();
+    VOXC_TRY(checkOutput(folder_, common_));
+  const auto source = VOXC_TRY(readSource());
 
   const Stopwatch watch;
-  Expected<std::vector<Artefact>> artefacts = generate(*source);
-  if (!artefacts)
-    return artefacts.error();
-  const Format *const format = std::get_if<Format>(&*source);
-  Json figures{{"format", format ? toString(*format) : std::get<Plan>(*source).layout.format},
+  auto artefacts = VOXC_TRY(generate(source));
+  const Format *const format = std::get_if<Format>(&source);
+  Json figures{{"format", format ? toString(*format) : std::get<Plan>(source).layout.format},
                {"emit_seconds", watch.seconds()}};
-  for (const Artefact &artefact : *artefacts)
+  for (const Artefact &artefact : artefacts)
     figures["files"].push_back(artefact.file);
-  if (Expected<void> written = write(*artefacts); !written)
-    return written;
+  VOXC_TRY(write(artefacts));
   if (folder_ != "-" && !common_.quiet)
-    for (const Artefact &artefact : *artefacts)
+    for (const Artefact &artefact : artefacts)
       printNote("wrote " + (std::filesystem::path(folder_) / artefact.file).string());
   return writeStatistics(common_.stats, figures);
 }

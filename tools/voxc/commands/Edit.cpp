@@ -73,15 +73,11 @@ Expected<VoxelEdit> parsePaste(const std::string &text) {
       at == std::string::npos ? std::nullopt : parseInts<3>(std::string_view(text).substr(at + 1));
   if (!low)
     return Error::usage("'" + text + "' does not say where to; write FILE.hvx@X,Y,Z");
-  const Expected<FramePath> named = parseFramePath(text.substr(0, at));
-  if (!named)
-    return named.error();
-  Expected<Volume> volume = loadEdited(named->path, {.frame = named->frame}, compileCache());
-  if (!volume)
-    return volume.error();
-  const Int3 extent = volume->info().extent;
+  const auto named = VOXC_TRY(parseFramePath(text.substr(0, at)));
+  auto volume = VOXC_TRY(loadEdited(named.path, {.frame = named.frame}, compileCache()));
+  const Int3 extent = volume.info().extent;
   return VoxelEdit{
-      {(*low)[0], (*low)[1], (*low)[2]}, extent, 0, std::make_shared<const Volume>(std::move(*volume))};
+      {(*low)[0], (*low)[1], (*low)[2]}, extent, 0, std::make_shared<const Volume>(std::move(volume))};
 }
 
 /// The kinds of edits, each an option.
@@ -115,8 +111,7 @@ public:
     command
         .addFlag("--journal", journal_,
                  "Add the edits to the journal beside the volume in place of writing a file: at once on the "
-                 "disk, and "
-                 "part of the volume for every command")
+                 "disk, and part of the volume for every command")
         .excludes(output);
     command
         .addFlag("--compact", compact_,
@@ -130,12 +125,10 @@ public:
   Expected<void> run() override {
     if (!journal_ && output_.empty())
       return Error::usage("it is not said where the edits go; give -o V.hvx, or --journal");
-    Expected<std::vector<VoxelEdit>> edits = readEdits();
-    if (!edits)
-      return edits.error();
-    if (edits->empty() && !compact_)
+    auto edits = VOXC_TRY(readEdits());
+    if (edits.empty() && !compact_)
       return Error::usage("there is nothing to edit; give --clear, --fill or --paste");
-    return journal_ ? addToJournal(*edits) : writeVolume(std::move(*edits));
+    return journal_ ? addToJournal(edits) : writeVolume(std::move(edits));
   }
 
 private:
@@ -146,10 +139,8 @@ private:
     for (const Option &option : command_->given())
       for (const EditKind &kind : kKinds)
         if (option.name() == kind.option) {
-          Expected<VoxelEdit> edit = kind.parse(written_.at(kind.option)[used[kind.option]++]);
-          if (!edit)
-            return edit.error();
-          edits.push_back(std::move(*edit));
+          auto edit = VOXC_TRY(kind.parse(written_.at(kind.option)[used[kind.option]++]));
+          edits.push_back(std::move(edit));
         }
     return edits;
   }
@@ -158,8 +149,7 @@ private:
     Expected<EditJournal> journal = EditJournal::open(volume_.path());
     if (!journal)
       return volumeFailure(journal.error());
-    if (Expected<void> appended = journal->append(edits); !appended)
-      return appended;
+    VOXC_TRY(journal->append(edits));
     Json figures;
     figures["edits"] = edits.size();
     figures["transactions"] = journal->transactions();
@@ -170,25 +160,20 @@ private:
   Expected<void> writeVolume(std::vector<VoxelEdit> edits) {
     std::optional<EditJournal> journal; // Held, so that no edit comes to it meanwhile.
     if (!replaces()) {
-      if (Expected<void> writable = checkOutputFile(output_); !writable)
-        return writable;
+      VOXC_TRY(checkOutputFile(output_));
     } else {
       Expected<EditJournal> opened = EditJournal::open(volume_.path());
       if (!opened)
         return volumeFailure(opened.error());
       journal.emplace(std::move(*opened));
     }
-    Expected<Volume> loaded = volume_.loadFile();
-    if (!loaded)
-      return loaded.error();
-    const auto volume = std::make_shared<const Volume>(std::move(*loaded));
+    auto loaded = VOXC_TRY(volume_.loadFile());
+    const auto volume = std::make_shared<const Volume>(std::move(loaded));
     if (!framesOf(*volume).empty())
       return Error::usage("'" + volume_.path() + "' has " + std::to_string(framesOf(*volume).size()) +
                           " frames, and edits change one; choose it by --frame N");
-    Expected<std::vector<VoxelEdit>> waiting = readJournal(volume_.path());
-    if (!waiting)
-      return waiting.error();
-    edits.insert(edits.begin(), waiting->begin(), waiting->end());
+    auto waiting = VOXC_TRY(readJournal(volume_.path()));
+    edits.insert(edits.begin(), waiting.begin(), waiting.end());
     if (volume->streams().size() > 1 && !common_.quiet)
       printNote("warning: what is edited has no attributes; voxc attach gives it new ones");
     ProgressBar bar(common_.quiet);
@@ -213,10 +198,8 @@ private:
   Expected<void> foldIn(EditJournal &journal, const std::shared_ptr<const Volume> &volume,
                         const std::vector<VoxelEdit> &edits, const Progress &progress, Json &figures) const {
     const std::string folded = output_ + ".folded";
-    if (Expected<void> edited = edit(volume, edits, folded, progress, figures); !edited)
-      return edited;
-    if (Expected<void> closed = journal.close(folded); !closed)
-      return closed;
+    VOXC_TRY(edit(volume, edits, folded, progress, figures));
+    VOXC_TRY(journal.close(folded));
     std::error_code failure;
     std::filesystem::rename(folded, output_, failure);
     if (failure)
@@ -228,21 +211,17 @@ private:
 
   Expected<void> edit(const std::shared_ptr<const Volume> &volume, const std::vector<VoxelEdit> &edits,
                       const std::string &path, const Progress &progress, Json &figures) const {
-    Expected<Constructor> constructor = Constructor::compile(volume->format(), compileCache());
-    if (!constructor)
-      return constructor.error();
+    auto constructor = VOXC_TRY(Constructor::compile(volume->format(), compileCache()));
     BuildOptions options;
     options.provenance = provenanceOf(*volume, edits.size());
     options.memory = makeWorkingMemory(arguments_);
     options.path = path;
     options.compress = arguments_.compress;
     options.progress = progress;
-    Expected<Built> built = constructor->edit(volume, edits, options);
-    if (!built)
-      return built.error();
+    auto built = VOXC_TRY(constructor.edit(volume, edits, options));
     figures["edits"] = edits.size();
-    addVolumeFigures(figures, built->volume);
-    addBuildFigures(figures, built->report);
+    addVolumeFigures(figures, built.volume);
+    addBuildFigures(figures, built.report);
     addFileFigure(figures, path);
     if (path == output_)
       addWritten(figures, output_);

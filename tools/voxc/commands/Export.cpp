@@ -30,21 +30,18 @@ public:
     command.add("-o,--output", output_, "File to write; its ending says what: " + kinds())
         .takes("FILE")
         .required();
-    command.addFlag(
-        "--lossy", options_.lossy,
-        "Of a .vox file: takes the 255 colours that stand best for those of the volume, rather than "
-        "to fail; the errors are reported");
+    command.addFlag("--lossy", options_.lossy,
+                    "Of a .vox file: takes the 255 colours that stand best for those of the volume, rather "
+                    "than to fail; the errors are reported");
     command
         .add("--slices", slices_,
              "Of .png pictures, the plane that they lie in: z (default), y or x, one for each cell along "
-             "that axis; "
-             "or of a scan, by its own axes: axial, coronal, sagittal")
+             "that axis; or of a scan, by its own axes: axial, coronal, sagittal")
         .takes("PLANE")
         .oneOf({kEnumNames<SlicePlane>.begin(), kEnumNames<SlicePlane>.end()});
-    command.addFlag(
-        "--texture", options_.texture,
-        "Of a .glb file: colours in a texture, with fewer and larger faces that meet without gaps, "
-        "rather than one a vertex");
+    command.addFlag("--texture", options_.texture,
+                    "Of a .glb file: colours in a texture, with fewer and larger faces that meet without "
+                    "gaps, rather than one a vertex");
     addCompressArgument(command, options_.save.compress);
     if (page_)
       page_->declare(command);
@@ -67,10 +64,8 @@ public:
   }
 
   Expected<void> run() override {
-    if (Expected<void> writable = checkOutputFile(output_); !writable)
-      return writable;
-    if (Expected<void> checked = page_ ? page_->check(output_) : Expected<void>(); !checked)
-      return checked;
+    VOXC_TRY(checkOutputFile(output_));
+    VOXC_TRY(page_ ? page_->check(output_) : Expected<void>());
     Expected<Volume> volume = volume_.load();
     if (!volume)
       return volume.error();
@@ -82,8 +77,7 @@ public:
       volume = withCoarse(std::move(*volume), figures);
     if (!volume)
       return volume.error();
-    if (Expected<void> exported = write(*volume, figures); !exported)
-      return exported;
+    VOXC_TRY(write(*volume, figures));
     addVolumeFigures(figures, *volume);
     figures["export_seconds"] = watch.seconds();
     if (figures.value("files_written", 1) == 1)
@@ -124,11 +118,9 @@ private:
     }
     options_.save.pageBytes = std::uint32_t(std::min<std::uint64_t>(bytesOf(pageBytes_), ~0u));
     options_.otherKinds = componentExports();
-    const Expected<Exported> exported =
-        exportVoxels(volume, numbered_ ? asPercent(*numbered_) : output_, options_);
-    if (!exported)
-      return exported.error();
-    tell(*exported, figures);
+    const auto exported =
+        VOXC_TRY(exportVoxels(volume, numbered_ ? asPercent(*numbered_) : output_, options_));
+    tell(exported, figures);
     return {};
   }
 
@@ -137,12 +129,10 @@ private:
     if (!output_.ends_with(".hvx"))
       return volume; // Which is not compressed: an error that is told.
     const auto side = unsigned(std::stoul(coarseSide_));
-    auto blocks = makeCoarseBlocks(volume, std::countr_zero(side), options_.save.progress);
-    if (!blocks)
-      return blocks.error();
+    auto blocks = VOXC_TRY(makeCoarseBlocks(volume, std::countr_zero(side), options_.save.progress));
     figures["coarse_side"] = side;
-    figures["coarse_blocks"] = blocks->blocks.size();
-    return withCoarseBlocks(std::make_shared<const Volume>(std::move(volume)), std::move(*blocks));
+    figures["coarse_blocks"] = blocks.blocks.size();
+    return withCoarseBlocks(std::make_shared<const Volume>(std::move(volume)), std::move(blocks));
   }
 
   void tell(const Exported &exported, Json &figures) {
@@ -168,11 +158,10 @@ private:
     if (bytes < kMuch || !output_.ends_with(".glb"))
       return;
     char text[256];
-    std::snprintf(
-        text, sizeof text,
-        "warning: %.0f MB of faces; a volume of half the resolution has about a quarter of them, and "
-        "-o NAME.hvx --compress keeps all voxels in less than %.1f MB",
-        bytes / kMega, std::max(double(volume.words().size_bytes()) / kMega, 0.1));
+    std::snprintf(text, sizeof text,
+                  "warning: %.0f MB of faces; a volume of half the resolution has about a quarter of them, "
+                  "and -o NAME.hvx --compress keeps all voxels in less than %.1f MB",
+                  bytes / kMega, std::max(double(volume.words().size_bytes()) / kMega, 0.1));
     printNote(text);
   }
 

@@ -30,12 +30,10 @@ public:
   Expected<void> run() override {
     ProgressBar bar(common_.quiet);
     Json figures;
-    Expected<Facts> facts = measure(bar.progress(), figures);
-    if (!facts)
-      return facts.error();
+    auto facts = VOXC_TRY(measure(bar.progress(), figures));
     bar.clear();
     if (tellsOnStdout(common_))
-      std::fputs(factsReport(*facts).c_str(), stdout);
+      std::fputs(factsReport(facts).c_str(), stdout);
     return writeStatistics(common_.stats, figures);
   }
 
@@ -47,18 +45,14 @@ private:
     InputOptions options = makeInputOptions(arguments, {kMost, kMost, kMost});
     options.memory = makeWorkingMemory(buildArguments_);
     options.progress = progress;
-    Expected<Input> input = openInput(input_, options);
-    if (!input)
-      return input.error();
+    auto input = VOXC_TRY(openInput(input_, options));
     ToldSentences told;
-    tellWarnings(*input, common_, told);
+    tellWarnings(input, common_, told);
     const Stopwatch watch;
-    Expected<Facts> facts = measureFacts(*input->source, {.memory = options.memory}, progress);
-    if (!facts)
-      return facts;
-    figures = factsFigures(*facts);
-    addInputFigures(figures, *input);
-    figures["voxelize_seconds"] = input->source->readSeconds();
+    auto facts = VOXC_TRY(measureFacts(*input.source, {.memory = options.memory}, progress));
+    figures = factsFigures(facts);
+    addInputFigures(figures, input);
+    figures["voxelize_seconds"] = input.source->readSeconds();
     figures["facts_seconds"] = watch.seconds();
     figures["facts_cpu_seconds"] = watch.cpuSeconds();
     figures["memory_bound_bytes"] = options.memory->bound();

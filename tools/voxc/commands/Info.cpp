@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <cinttypes>
 #include <cstdio>
-#include <optional>
 
 namespace voxc::tool {
 
@@ -174,8 +173,7 @@ private:
     if (prove_)
       return Error::usage("--prove is for .hvx files; leave it out");
     Json figures;
-    if (auto told = reportInput(path_, common_, figures); !told)
-      return told;
+    VOXC_TRY(reportInput(path_, common_, figures));
     return writeStatistics(common_.stats, figures);
   }
 
@@ -187,20 +185,17 @@ private:
     if (!summary)
       return summary.error();
     Json figures = figuresOf(*summary);
-    const auto edits = readJournal(path_);
-    if (!edits)
-      return edits.error();
-    figures["waiting_edits"] = edits->size();
+    const auto edits = VOXC_TRY(readJournal(path_));
+    figures["waiting_edits"] = edits.size();
     if (tellsOnStdout(common_)) {
       print(*summary);
-      if (!edits->empty())
+      if (!edits.empty())
         std::printf(
             "journal     %zu edits that are not in the file yet, of which the lines above say nothing\n",
-            edits->size());
+            edits.size());
     }
     if (prove_)
-      if (auto proved = prove(figures); !proved)
-        return proved;
+      VOXC_TRY(prove(figures));
     return writeStatistics(common_.stats, figures);
   }
 
@@ -208,15 +203,12 @@ private:
     LoadOptions options;
     options.progress.stop = &catchInterrupts();
     const Stopwatch watch;
-    const auto volume = loadEdited(path_, options, compileCache());
-    if (!volume)
-      return volume.error();
-    if (const auto coarse = coarseBlocksOf(*volume); !coarse)
-      return coarse.error();
+    const auto volume = VOXC_TRY(loadEdited(path_, options, compileCache()));
+    VOXC_TRY(coarseBlocksOf(volume));
     figures["load_seconds"] = watch.seconds();
     if (!tellsOnStdout(common_))
       return {};
-    printPalette(*volume);
+    printPalette(volume);
     std::printf("proved      all bytes are those that were written, and every pointer leads to words\n");
     return {};
   }

@@ -33,12 +33,10 @@ std::string pageOf(const CommandLine &command) {
 }
 
 Expected<void> writePages(const CommandLine &command, const std::filesystem::path &folder) {
-  if (Expected<void> written = writeFile(folder / (manualName(command) + ".1"), pageOf(command)); !written)
-    return written;
+  VOXC_TRY(writeFile(folder / (manualName(command) + ".1"), pageOf(command)));
   for (const CommandLine &sub : command.commands())
     if (!sub.group().empty())
-      if (Expected<void> written = writePages(sub, folder); !written)
-        return written;
+      VOXC_TRY(writePages(sub, folder));
   return {};
 }
 

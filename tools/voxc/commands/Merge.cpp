@@ -30,41 +30,32 @@ private:
   Expected<void> runTasks() {
     Json figures;
     ProgressBar bar(common_.quiet);
-    if (Expected<void> merged = tasks_->run(arguments_, bar.progress(), figures); !merged)
-      return merged;
+    VOXC_TRY(tasks_->run(arguments_, bar.progress(), figures));
     bar.clear();
     return tellFigures(common_, figures);
   }
 
   Expected<void> runWhole() {
-    if (Expected<void> writable = checkOutputFile(output_); !writable)
-      return writable;
+    VOXC_TRY(checkOutputFile(output_));
     Json figures;
     ProgressBar bar(common_.quiet);
-    if (Expected<void> merged = merge(bar.progress(), figures); !merged)
-      return merged;
+    VOXC_TRY(merge(bar.progress(), figures));
     bar.clear();
     return tellFigures(common_, figures);
   }
 
   Expected<void> merge(const Progress &progress, Json &figures) {
-    Expected<Format> format = formatOfFragment(fragments_.front());
-    if (!format)
-      return format.error();
-    Expected<Constructor> constructor = Constructor::compile(*format, compileCache());
-    if (!constructor)
-      return constructor.error();
+    auto format = VOXC_TRY(formatOfFragment(fragments_.front()));
+    auto constructor = VOXC_TRY(Constructor::compile(format, compileCache()));
     const BuildOptions options{.threads = threadsOf(arguments_),
                                .memory = makeWorkingMemory(arguments_),
                                .path = output_,
                                .progress = progress,
                                .compress = arguments_.compress};
-    Expected<Built> built = constructor->merge(fragments_, options);
-    if (!built)
-      return built.error();
+    auto built = VOXC_TRY(constructor.merge(fragments_, options));
     figures["fragments"] = fragments_.size();
-    addVolumeFigures(figures, built->volume);
-    addBuildFigures(figures, built->report);
+    addVolumeFigures(figures, built.volume);
+    addBuildFigures(figures, built.report);
     addFileFigure(figures, output_);
     addWritten(figures, output_);
     return {};

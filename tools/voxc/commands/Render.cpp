@@ -27,12 +27,10 @@ public:
 
   Expected<void> run() override {
     rendering_.allowCoarse(memory_.allowedCoarse());
-    if (Expected<void> checked = rendering_.check(volume_.path(), common_); !checked)
-      return checked;
+    VOXC_TRY(rendering_.check(volume_.path(), common_));
     Json figures;
     ProgressBar bar(common_.quiet);
-    if (Expected<void> rendered = render(bar, figures); !rendered)
-      return rendered;
+    VOXC_TRY(render(bar, figures));
     bar.clear();
     addStages(figures, watch_.seconds());
     return tellFigures(common_, figures);
@@ -41,32 +39,22 @@ public:
 private:
   Expected<void> render(ProgressBar &bar, Json &figures) {
     const Stopwatch watch;
-    const Expected<int> frame = volume_.frame();
-    if (!frame)
-      return frame.error();
-    Expected<Volume> volume =
-        memory_.isGiven() ? memory_.open(volume_.path(), *frame, figures) : volume_.load();
-    if (!volume)
-      return volume.error();
+    const auto frame = VOXC_TRY(volume_.frame());
+    auto volume = VOXC_TRY(memory_.isGiven() ? memory_.open(volume_.path(), frame, figures) : volume_.load());
     if (!memory_.isGiven())
-      addVolumeFigures(figures, *volume);
+      addVolumeFigures(figures, volume);
     figures["load_seconds"] = watch.seconds();
-    Expected<Format> format = volume_.kernelFormat(*volume);
-    if (!format)
-      return format.error();
-    if (Expected<void> applied = rendering_.applyTo(*format); !applied)
-      return applied;
+    auto format = VOXC_TRY(volume_.kernelFormat(volume));
+    VOXC_TRY(rendering_.applyTo(format));
     tracing_.useCache();
     const Stopwatch opening;
-    if (Expected<void> opened = tracing_.openDevice(common_); !opened)
-      return opened;
+    VOXC_TRY(tracing_.openDevice(common_));
     figures["open_seconds"] = opening.seconds();
     if (memory_.isGiven())
-      return renderPages(*volume, *format, bar, figures);
-    if (Expected<void> prepared = tracing_.prepare(*volume, *format, figures); !prepared)
-      return prepared;
-    SurfaceNormals normals(*volume, tracing_.threads());
-    return rendering_.render(*volume, normals, tracing_, common_, bar, figures);
+      return renderPages(volume, format, bar, figures);
+    VOXC_TRY(tracing_.prepare(volume, format, figures));
+    SurfaceNormals normals(volume, tracing_.threads());
+    return rendering_.render(volume, normals, tracing_, common_, bar, figures);
   }
 
   // What rays and normals read lies on a shelf, so that each finds what the other has read.
@@ -75,8 +63,7 @@ private:
     PagingOptions options;
     if (rendering_.looksAround(outline.info()))
       options.takesFrom = options.putsOn = shelf;
-    if (Expected<void> prepared = memory_.prepare(tracing_, format, figures, std::move(options)); !prepared)
-      return prepared;
+    VOXC_TRY(memory_.prepare(tracing_, format, figures, std::move(options)));
     SurfaceNormals normals = memory_.makeNormals(shelf, tracing_.threads());
     Expected<void> rendered = rendering_.render(outline, normals, tracing_, common_, bar, figures);
     figures["normal_pages_read"] = normals.pagesRead();

@@ -27,15 +27,12 @@ public:
   }
 
   Expected<void> run() override {
-    if (Expected<void> checked = rendering_.check(building_.input(), common_); !checked)
-      return checked;
+    VOXC_TRY(rendering_.check(building_.input(), common_));
     if (!volumePath_.empty())
-      if (Expected<void> writable = checkOutputFile(volumePath_); !writable)
-        return writable;
+      VOXC_TRY(checkOutputFile(volumePath_));
     Json figures;
     ProgressBar bar(common_.quiet);
-    if (Expected<void> rendered = buildAndRender(bar, figures); !rendered)
-      return rendered;
+    VOXC_TRY(buildAndRender(bar, figures));
     bar.clear();
     addStages(figures, watch_.seconds());
     return tellFigures(common_, figures);
@@ -45,25 +42,17 @@ private:
   Expected<void> buildAndRender(ProgressBar &bar, Json &figures) {
     tracing_.useCache();
     const Stopwatch opening;
-    if (Expected<void> opened = tracing_.openDevice(common_); !opened)
-      return opened;
+    VOXC_TRY(tracing_.openDevice(common_));
     figures["open_seconds"] = opening.seconds();
-    Expected<Format> format =
-        building_.readFormat(tracing_.deviceInfo().name, common_, bar.progress(), figures);
-    if (!format)
-      return format.error();
-    if (Expected<void> applied = attributes_.apply(*format); !applied)
-      return applied;
-    if (Expected<void> applied = rendering_.applyTo(*format); !applied)
-      return applied;
+    auto format =
+        VOXC_TRY(building_.readFormat(tracing_.deviceInfo().name, common_, bar.progress(), figures));
+    VOXC_TRY(attributes_.apply(format));
+    VOXC_TRY(rendering_.applyTo(format));
     building_.useThreads(tracing_.threads());
-    Expected<Volume> volume = building_.build(*format, volumePath_, common_, bar.progress(), figures);
-    if (!volume)
-      return volume.error();
-    if (Expected<void> prepared = tracing_.prepare(*volume, *format, figures); !prepared)
-      return prepared;
-    SurfaceNormals normals(*volume, tracing_.threads());
-    return rendering_.render(*volume, normals, tracing_, common_, bar, figures);
+    auto volume = VOXC_TRY(building_.build(format, volumePath_, common_, bar.progress(), figures));
+    VOXC_TRY(tracing_.prepare(volume, format, figures));
+    SurfaceNormals normals(volume, tracing_.threads());
+    return rendering_.render(volume, normals, tracing_, common_, bar, figures);
   }
 
   Stopwatch watch_; ///< Of all.

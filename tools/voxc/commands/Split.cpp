@@ -23,20 +23,16 @@ public:
   }
 
   Expected<void> run() override {
-    if (Expected<void> writable = checkOutputFile(output_); !writable)
-      return writable;
-    Expected<Volume> volume = volume_.load();
-    if (!volume)
-      return volume.error();
+    VOXC_TRY(checkOutputFile(output_));
+    auto volume = VOXC_TRY(volume_.load());
     const FragmentChoice fragment = fragment_.choice().value_or(FragmentChoice{});
     ProgressBar bar(common_.quiet);
-    const auto report = splitVolume(*volume, fragment.index, fragment.count, output_, bar.progress());
-    if (!report)
-      return report.error();
+    const auto report =
+        VOXC_TRY(splitVolume(volume, fragment.index, fragment.count, output_, bar.progress()));
     bar.clear();
     Json figures;
-    figures["voxels"] = report->voxels;
-    figures["split_seconds"] = report->seconds;
+    figures["voxels"] = report.voxels;
+    figures["split_seconds"] = report.seconds;
     addFileFigure(figures, output_);
     addWritten(figures, output_);
     return tellFigures(common_, figures);

@@ -47,12 +47,10 @@ public:
                      std::min(maxWordsOf(buildArguments_), kMaxWords) * sizeof(std::uint32_t)};
     request_.memory = makeWorkingMemory(buildArguments_);
     Json figures;
-    Expected<Suggestion> suggestion = makeSuggestion(request_, common_, bar.progress(), figures);
-    if (!suggestion)
-      return suggestion.error();
+    auto suggestion = VOXC_TRY(makeSuggestion(request_, common_, bar.progress(), figures));
     bar.clear();
-    std::fputs(suggestReport(*suggestion, all_).c_str(), stdout);
-    addSuggestFigures(figures, *suggestion);
+    std::fputs(suggestReport(suggestion, all_).c_str(), stdout);
+    addSuggestFigures(figures, suggestion);
     return writeStatistics(common_.stats, figures);
   }
 

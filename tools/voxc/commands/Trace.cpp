@@ -30,16 +30,16 @@ public:
         .required();
     command
         .add("-o,--output", output_,
-             "Hits to write: int32 x, y, z, uint32 rgba, float32 t, uint32 steps, 24 bytes each, or a "
-             "file of version 2; - for standard output")
+             "Hits to write: int32 x, y, z, uint32 rgba, float32 t, uint32 steps, 24 bytes each, or a file "
+             "of version 2; - for standard output")
         .takes("H.bin")
         .required();
     command.add("--tmin", tmin_, "Look for voxels that rays enter at this t or later").takes("T");
     command.add("--tmax", tmax_, "Look for voxels that rays enter at this t or before").takes("T");
     command
         .add("--hit-version", hitVersion_,
-             "Version of the hit file: 2 has the face and its normal too; default: that of the ray file, "
-             "or 1 where the query is not of the closest hit")
+             "Version of the hit file: 2 has the face and its normal too; default: that of the ray file, or "
+             "1 where the query is not of the closest hit")
         .takes("1|2")
         .between(1u, 2u);
     command.add("--repeat", options_.repeat, "Trace so often; the speeds are those of the fastest time")
@@ -61,13 +61,11 @@ public:
   }
 
   Expected<void> run() override {
-    if (Expected<void> writable = checkOutput(output_, common_); !writable)
-      return writable;
+    VOXC_TRY(checkOutput(output_, common_));
     Json figures;
     ProgressBar bar(common_.quiet);
     options_.progress = bar.progress();
-    if (Expected<void> traced = trace(figures); !traced)
-      return traced;
+    VOXC_TRY(trace(figures));
     bar.clear();
     return tellFigures(common_, figures);
   }
@@ -124,48 +122,35 @@ private:
     for (const Hit &hit : hits)
       steps.push_back(hit.steps);
     std::vector<Hit> faces(hits.size());
-    if (auto traced = tracing_.trace(rays, faces, {.progress = options_.progress}); !traced)
-      return traced.error();
+    VOXC_TRY(tracing_.trace(rays, faces, {.progress = options_.progress}));
     return writeText(output_, hitFileText(faces, steps));
   }
 
   Expected<void> trace(Json &figures) {
     const Stopwatch watch;
-    const Expected<int> frame = volume_.frame();
-    if (!frame)
-      return frame.error();
-    Expected<Volume> volume =
-        memory_.isGiven() ? memory_.open(volume_.path(), *frame, figures) : volume_.load();
-    if (!volume)
-      return volume.error();
+    const auto frame = VOXC_TRY(volume_.frame());
+    auto volume = VOXC_TRY(memory_.isGiven() ? memory_.open(volume_.path(), frame, figures) : volume_.load());
     if (!memory_.isGiven())
-      addVolumeFigures(figures, *volume);
+      addVolumeFigures(figures, volume);
     figures["load_seconds"] = watch.seconds();
-    Expected<Format> format = volume_.kernelFormat(*volume);
-    if (!format)
-      return format.error();
-    const Expected<RayFile> file = readBoundedRays();
-    if (!file)
-      return file.error();
-    const RaySpan rays = file->rays();
-    if (Expected<void> asked = ask(*format, tmin_ || tmax_ ? 1 : file->version(), rays.isBounded()); !asked)
-      return asked;
+    auto format = VOXC_TRY(volume_.kernelFormat(volume));
+    const auto file = VOXC_TRY(readBoundedRays());
+    const RaySpan rays = file.rays();
+    VOXC_TRY(ask(format, tmin_ || tmax_ ? 1 : file.version(), rays.isBounded()));
     tracing_.useCache();
     if (options_.repeat <= 1 && common_.stats.empty()) // Else times are what is asked for.
       tracing_.expectRays(rays.size());
-    if (Expected<void> opened = tracing_.openDevice(common_); !opened)
-      return opened;
-    if (Expected<void> prepared = memory_.isGiven() ? memory_.prepare(tracing_, *format, figures)
-                                                    : tracing_.prepare(*volume, *format, figures);
+    VOXC_TRY(tracing_.openDevice(common_));
+    if (Expected<void> prepared = memory_.isGiven() ? memory_.prepare(tracing_, format, figures)
+                                                    : tracing_.prepare(volume, format, figures);
         !prepared)
       return prepared;
 
     std::vector<Hit> hits(rays.size());
-    if (Expected<void> traced = tracing_.trace(rays, hits, options_, figures); !traced)
-      return traced;
+    VOXC_TRY(tracing_.trace(rays, hits, options_, figures));
     if (!memory_.isGiven())
       if (Expected<void> checked =
-              check_.run(*volume, rays, hits, questionOfHits(*format), options_.progress, figures);
+              check_.run(volume, rays, hits, questionOfHits(format), options_.progress, figures);
           !checked)
         return checked;
     addWritten(figures, output_);

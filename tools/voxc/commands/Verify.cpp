@@ -112,29 +112,23 @@ Expected<void> VerifyCommand::checkVoxels(const std::shared_ptr<const Volume> &v
   InputOptions options = makeInputOptions(arguments, volume->format().extent());
   options.progress = progress;
   options.reference = true;
-  Expected<Input> input = openInput(against_, options);
-  if (!input)
-    return input.error();
+  auto input = VOXC_TRY(openInput(against_, options));
   const std::unique_ptr<VoxelSource> decoded = makeVolumeSource(volume);
-  Expected<std::unique_ptr<RoundedSource>> kept = asKept(*volume, *input->source, progress);
-  if (!kept)
-    return kept.error();
-  Expected<VoxelDifferences> found = compareVoxels(*decoded, *kept ? **kept : *input->source, progress);
-  if (!found)
-    return found.error();
+  auto kept = VOXC_TRY(asKept(*volume, *input.source, progress));
+  auto found = VOXC_TRY(compareVoxels(*decoded, kept ? *kept : *input.source, progress));
 
-  printDifferences(*found);
-  figures_["voxel_differences"] = differenceFigures(*found);
-  if (*kept) {
-    const ColourError error = (*kept)->error();
+  printDifferences(found);
+  figures_["voxel_differences"] = differenceFigures(found);
+  if (kept) {
+    const ColourError error = kept->error();
     figures_["colour_error"] = errorFigures(error);
     if (tellsOnStdout(common_))
       std::printf("lossy        %s\n", errorText(error).c_str());
   }
-  if (!found->none())
-    fail("the volume differs from '" + against_ + "', first at voxel (" + std::to_string(found->first->x) +
-         ", " + std::to_string(found->first->y) + ", " + std::to_string(found->first->z) + ")");
-  if (volume->info().extent != input->source->extent())
+  if (!found.none())
+    fail("the volume differs from '" + against_ + "', first at voxel (" + std::to_string(found.first->x) +
+         ", " + std::to_string(found.first->y) + ", " + std::to_string(found.first->z) + ")");
+  if (volume->info().extent != input.source->extent())
     fail("the volume's extent differs from that of '" + against_ + "'");
   return {};
 }
@@ -148,20 +142,16 @@ void VerifyCommand::printDifferences(const VoxelDifferences &found) const {
 
 /// Blocks that the volume has must be those of its voxels.
 Expected<void> VerifyCommand::checkCoarse(const Volume &volume, const Progress &progress) {
-  const auto kept = coarseBlocksOf(volume);
+  const auto kept = VOXC_TRY(coarseBlocksOf(volume));
   if (!kept)
-    return kept.error();
-  if (!*kept)
     return {};
-  const int log2Side = (*kept)->log2Side;
-  const auto made = makeCoarseBlocks(volume, log2Side, progress);
-  if (!made)
-    return made.error();
-  figures_["coarse_blocks"] = (*kept)->blocks.size();
+  const int log2Side = kept->log2Side;
+  const auto made = VOXC_TRY(makeCoarseBlocks(volume, log2Side, progress));
+  figures_["coarse_blocks"] = kept->blocks.size();
   if (tellsOnStdout(common_))
-    std::printf("coarse       %zu blocks of %d voxels a side, %s\n", (*kept)->blocks.size(), 1 << log2Side,
-                *made == **kept ? "the means of the voxels" : "not those of the voxels");
-  if (*made != **kept)
+    std::printf("coarse       %zu blocks of %d voxels a side, %s\n", kept->blocks.size(), 1 << log2Side,
+                made == *kept ? "the means of the voxels" : "not those of the voxels");
+  if (made != *kept)
     fail("the coarse blocks of the volume are not those of its voxels");
   return {};
 }
@@ -172,31 +162,24 @@ bool VerifyCommand::accepts(const ErrorFigures &error) const {
 }
 
 Expected<void> VerifyCommand::checkKernel(const Volume &volume, const Progress &progress) {
-  Expected<Format> format = volume_.kernelFormat(volume);
-  if (!format)
-    return format.error();
-  if (Expected<void> opened = tracing_.openDevice(common_); !opened)
-    return opened;
-  if (Expected<void> prepared = tracing_.prepare(volume, *format, figures_); !prepared)
-    return prepared;
-  const Expected<Oracle> oracle = Oracle::of(volume, progress);
-  if (!oracle)
-    return oracle.error();
+  auto format = VOXC_TRY(volume_.kernelFormat(volume));
+  VOXC_TRY(tracing_.openDevice(common_));
+  VOXC_TRY(tracing_.prepare(volume, format, figures_));
+  const auto oracle = VOXC_TRY(Oracle::of(volume, progress));
   const std::vector<Ray> plain = verifyRays(volume.info().extent, rays_, seed_);
   std::vector<BoundedRay> bounded;
-  if (questionOf(*format).bounds)
-    bounded = withHardBounds(*oracle, plain, seed_);
+  if (questionOf(format).bounds)
+    bounded = withHardBounds(oracle, plain, seed_);
   const RaySpan rays = bounded.empty() ? RaySpan(plain) : RaySpan(bounded);
   std::vector<Hit> hits(rays.size());
-  if (Expected<void> traced = tracing_.trace(rays, hits, {.progress = progress}, figures_); !traced)
-    return traced;
+  VOXC_TRY(tracing_.trace(rays, hits, {.progress = progress}, figures_));
 
-  const ErrorFigures error = compare(*oracle, rays, hits, questionOf(*format));
+  const ErrorFigures error = compare(oracle, rays, hits, questionOf(format));
   figures_["error"] = errorJson(error);
   if (tellsOnStdout(common_)) {
     printErrors(error);
     for (const std::uint64_t index : error.examples)
-      printExample(index, rays[index], hits[index], oracle->trace(rays[index], rays.bounds(index)));
+      printExample(index, rays[index], hits[index], oracle.trace(rays[index], rays.bounds(index)));
   }
   if (!accepts(error))
     fail("the kernel's hits differ from the oracle's on " +
@@ -212,19 +195,17 @@ Expected<void> VerifyCommand::checkPlan() {
   if (!against_.empty())
     return Error::usage("--against is for a volume; a build plan is held against its own input");
   ProgressBar bar(common_.quiet);
-  const Expected<PlanCheck> found = tool::checkPlan(volume_.path(), {}, bar.progress());
-  if (!found)
-    return found.error();
+  const auto found = VOXC_TRY(tool::checkPlan(volume_.path(), {}, bar.progress()));
   bar.clear();
-  figures_["outputs"] = found->outputs;
-  figures_["missing_outputs"] = found->missing;
-  figures_["voxel_differences"] = differenceFigures(found->differences);
+  figures_["outputs"] = found.outputs;
+  figures_["missing_outputs"] = found.missing;
+  figures_["voxel_differences"] = differenceFigures(found.differences);
   figures_["broken"] = Json::array();
   if (tellsOnStdout(common_))
-    std::printf("outputs      %" PRIu64 " of %" PRIu64 " stand\n", found->outputs - found->missing,
-                found->outputs);
-  printDifferences(found->differences);
-  for (const BrokenOutput &output : found->broken) {
+    std::printf("outputs      %" PRIu64 " of %" PRIu64 " stand\n", found.outputs - found.missing,
+                found.outputs);
+  printDifferences(found.differences);
+  for (const BrokenOutput &output : found.broken) {
     figures_["broken"].push_back({{"file", output.path},
                                   {"problem", output.problem},
                                   {"voxel_differences", differenceFigures(output.differences)}});
@@ -236,30 +217,24 @@ Expected<void> VerifyCommand::checkPlan() {
 
 Expected<void> VerifyCommand::checkVolume() {
   ProgressBar bar(common_.quiet);
-  Expected<Volume> loaded = volume_.load();
-  if (!loaded)
-    return loaded.error();
-  const auto volume = std::make_shared<const Volume>(std::move(*loaded));
+  auto loaded = VOXC_TRY(volume_.load());
+  const auto volume = std::make_shared<const Volume>(std::move(loaded));
   addVolumeFigures(figures_, *volume);
   if (tellsOnStdout(common_))
     std::printf("structure    %zu words, %s\n", volume->words().size(),
                 volume_.trusted() ? "trusted" : "every offset proven in range");
   if (!against_.empty())
-    if (Expected<void> checked = checkVoxels(volume, bar.progress()); !checked)
-      return checked;
-  if (Expected<void> checked = checkCoarse(*volume, bar.progress()); !checked)
-    return checked;
+    VOXC_TRY(checkVoxels(volume, bar.progress()));
+  VOXC_TRY(checkCoarse(*volume, bar.progress()));
   if (rays_ > 0)
-    if (Expected<void> checked = checkKernel(*volume, bar.progress()); !checked)
-      return checked;
+    VOXC_TRY(checkKernel(*volume, bar.progress()));
   bar.clear();
   return outcome();
 }
 
 /// Writes the figures; the error is all that was found wrong.
 Expected<void> VerifyCommand::outcome() {
-  if (Expected<void> written = writeStatistics(common_.stats, figures_); !written)
-    return written;
+  VOXC_TRY(writeStatistics(common_.stats, figures_));
   if (failures_.empty())
     return {};
   std::string message = failures_.front();

@@ -140,12 +140,11 @@ std::vector<Check> checkBuild() {
 std::vector<Check> checkFolders() { return {checkCache(), checkScratch()}; }
 
 std::vector<Check> checkPrograms() {
-  const Check viewer =
-      opensWindows()
-          ? Check{"viewer", Check::State::Good, "voxc view opens a window", ""}
-          : Check{"viewer", Check::State::Missing, "there is no voxc-viewer beside voxc",
-                  "it is built where GLFW and Dear ImGui are installed: cmake --build BUILD --target "
-                  "voxc-viewer, or the package voxc-viewer"};
+  const Check viewer = opensWindows()
+                           ? Check{"viewer", Check::State::Good, "voxc view opens a window", ""}
+                           : Check{"viewer", Check::State::Missing, "there is no voxc-viewer beside voxc",
+                                   "it is built where GLFW and Dear ImGui are installed: cmake --build BUILD "
+                                   "--target voxc-viewer, or the package voxc-viewer"};
   return {viewer, checkPython()};
 }
 

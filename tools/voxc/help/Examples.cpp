@@ -3,8 +3,6 @@
 
 #include "voxc/IR/LevelKind.h"
 
-#include <cctype>
-
 namespace voxc::tool {
 
 namespace {
@@ -78,8 +76,8 @@ std::string formatHelp() {
     text += std::string("  ") + kind->letter + "(" + parameters + "): " + std::string(kind->summary) + "\n";
   }
   return text + "So 'R(4, 4, 4) G(5)' is a grid of 16 x 16 x 16 cells, each a sparse voxel DAG of 32 voxels "
-                "an axis, for "
-                "512 in all. docs/formats.md has the rules; 'auto', where it is taken, lets voxc choose.\n";
+                "an axis, for 512 in all. docs/formats.md has the rules; 'auto', where it is taken, lets "
+                "voxc choose.\n";
 }
 
 void addExamples(const CommandLine &command) {

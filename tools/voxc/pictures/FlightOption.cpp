@@ -1,8 +1,6 @@
 // The options of a flight.
 #include "pictures/FlightOption.h"
 
-#include <cstddef>
-
 namespace voxc::tool {
 namespace {
 
@@ -12,14 +10,13 @@ constexpr unsigned kMostFrames = 1000000;
 
 void FlightOption::declare(const CommandLine &command) {
   const OptionGroup group(command, "Picture");
-  const Option flight =
-      command
-          .add("--flight", path_,
-               "A picture for each frame of a flight through all cameras of a camera file; --output has ### "
-               "or %03d in its name, for the frame's number")
-          .takes("FILE")
-          .excludes(command.option("--camera"))
-          .excludes(command.option("--view"));
+  const Option flight = command
+                            .add("--flight", path_,
+                                 "A picture for each frame of a flight through all cameras of a camera file; "
+                                 "--output has ### or %03d in its name, for the frame's number")
+                            .takes("FILE")
+                            .excludes(command.option("--camera"))
+                            .excludes(command.option("--view"));
   command.add("--frames", frames_, "Frames of the flight, from its first camera to its last")
       .takes("N")
       .between(1u, kMostFrames)
@@ -33,10 +30,7 @@ Expected<void> FlightOption::check(const std::string &output) {
     return Error::usage("a flight is many pictures, but the name '" + output +
                         "' has not one place for the number of the frame; give one such as flight-###.png or "
                         "flight-%03d.png");
-  auto flight = Flight::through(path_);
-  if (!flight)
-    return flight.error();
-  flight_ = std::move(*flight);
+  flight_ = VOXC_TRY(Flight::through(path_));
   return {};
 }
 

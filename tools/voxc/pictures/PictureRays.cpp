@@ -9,10 +9,8 @@ auto PictureRays::through(RayTally &tally) {
     const std::vector<BoundedRay> kept =
         clip_.cutsNothing() ? std::vector<BoundedRay>() : clip_.bounded(rays, tracing_.threads());
     const RaySpan traced = clip_.cutsNothing() ? RaySpan(rays) : RaySpan(kept);
-    Expected<TraceReport> report = tracing_.trace(traced, hits, options);
-    if (!report)
-      return report.error();
-    tally.add(traced, hits, *report, options.countSteps);
+    auto report = VOXC_TRY(tracing_.trace(traced, hits, options));
+    tally.add(traced, hits, report, options.countSteps);
     return {};
   };
 }
@@ -27,10 +25,8 @@ Expected<TakenPicture> PictureRays::take(const Volume &volume, const PlacedCamer
   const auto eye = through(eye_), light = through(light_);
   options.threads = tracing_.threads();
   options.clip = clip_.cutsNothing() ? nullptr : &clip_;
-  Expected<voxc::Rendering> rendering = voxc::render(volume, placed.camera, {eye, light}, options);
-  if (!rendering)
-    return rendering.error();
-  return TakenPicture{std::move(*rendering), placed};
+  auto rendering = VOXC_TRY(voxc::render(volume, placed.camera, {eye, light}, options));
+  return TakenPicture{std::move(rendering), placed};
 }
 
 void PictureRays::addFigures(Json &figures) const {

@@ -64,8 +64,8 @@ void RenderSession::declare(const CommandLine &command) {
   flight_.declare(command);
   command
       .add("--lod", picture_.lod,
-           "Stop at nodes and cells that look smaller than so many pixels, with a colour from inside; 0: "
-           "at voxels alone")
+           "Stop at nodes and cells that look smaller than so many pixels, with a colour from inside; 0: at "
+           "voxels alone")
       .takes("PIXELS")
       .between(0.0, 1e6);
   check_.declare(command);
@@ -78,12 +78,9 @@ Expected<void> RenderSession::check(const std::string &source, const CommonOptio
               (flight_.isGiven() ? "-###.png" : ".png");
   }
   if (flight_.isGiven())
-    if (Expected<void> flies = flight_.check(output_); !flies)
-      return flies;
-  if (Expected<void> writable = checkOutput(output_, common); !writable)
-    return writable;
-  if (Expected<void> named = checkPictureName(output_); !named)
-    return named;
+    VOXC_TRY(flight_.check(output_));
+  VOXC_TRY(checkOutput(output_, common));
+  VOXC_TRY(checkPictureName(output_));
   if (clip_.isGiven() && (picture_.lod > 0 || picture_.coarse > 0))
     return Error::usage("--clip-box and --clip-plane show voxels alone; leave out --lod and --allow-coarse");
   if (const Expected<Clip> clip = clipOf(clip_); !clip)
@@ -94,9 +91,8 @@ Expected<void> RenderSession::check(const std::string &source, const CommonOptio
 Expected<void> RenderSession::applyTo(Format &format) const {
   const Outputs outputs = questionOf(format).outputs;
   if (styleOf(picture_) != Style::Heatmap && !(outputs.voxel && outputs.t && outputs.colour))
-    return Error::usage(
-        "a picture is made of the voxel, t and colour of hits; leave out --query and --outputs, or ask "
-        "for --style heatmap");
+    return Error::usage("a picture is made of the voxel, t and colour of hits; leave out --query and "
+                        "--outputs, or ask for --style heatmap");
   if (picture_.lod > 0)
     askForCones(format);
   if (clip_.isGiven())
@@ -107,17 +103,13 @@ Expected<void> RenderSession::applyTo(Format &format) const {
 Expected<void> RenderSession::render(const Volume &volume, SurfaceNormals &normals, TraceSession &tracing,
                                      const CommonOptions &common, ProgressBar &bar, Json &figures) const {
   const Stopwatch watch;
-  Expected<Clip> clip = clipOf(clip_, volume.info().voxelToModel);
-  if (!clip)
-    return clip.error();
-  PictureRays rays(tracing, check_.rays(), std::move(*clip));
+  auto clip = VOXC_TRY(clipOf(clip_, volume.info().voxelToModel));
+  PictureRays rays(tracing, check_.rays(), std::move(clip));
   RenderOptions options = renderOptions(picture_, volume);
   options.normals = &normals;
   options.progress = bar.progress();
-  const auto warning = flight_.isGiven() ? takeFlight(volume, options, rays, figures)
-                                         : takeOne(volume, options, rays, figures);
-  if (!warning)
-    return warning.error();
+  const auto warning = VOXC_TRY(flight_.isGiven() ? takeFlight(volume, options, rays, figures)
+                                                  : takeOne(volume, options, rays, figures));
   figures["style"] = toString(styleOf(picture_));
   rays.addFigures(figures);
   const Stopwatch checking;
@@ -130,32 +122,27 @@ Expected<void> RenderSession::render(const Volume &volume, SurfaceNormals &norma
     figures["check_seconds"] = checking.seconds();
   figures["render_seconds"] = watch.seconds();
   bar.clear();
-  if (*warning && !common.quiet)
-    printNote("warning: " + **warning);
+  if (warning && !common.quiet)
+    printNote("warning: " + *warning);
   return {};
 }
 
 Expected<RenderSession::Warning> RenderSession::takeOne(const Volume &volume, const RenderOptions &options,
                                                         PictureRays &rays, Json &figures) const {
   Laps laps;
-  const Expected<PlacedCamera> placed = rays.findCamera(picture_, volume);
-  if (!placed)
-    return placed.error();
+  const auto placed = VOXC_TRY(rays.findCamera(picture_, volume));
   figures["camera_seconds"] = laps.next();
-  const Expected<TakenPicture> taken = rays.take(volume, *placed, options);
-  if (!taken)
-    return taken.error();
+  const auto taken = VOXC_TRY(rays.take(volume, placed, options));
   figures["picture_seconds"] = laps.next();
-  addSize(figures, placed->camera);
-  addCameraFigures(figures, picture_, *placed, volume);
-  figures["exposure"] = taken->rendering.exposure;
-  figures["nearest_voxels"] = taken->rendering.nearest;
-  figures["median_voxels"] = taken->rendering.middle;
-  if (Expected<void> written = writeTaken(output_, *taken); !written)
-    return written.error();
+  addSize(figures, placed.camera);
+  addCameraFigures(figures, picture_, placed, volume);
+  figures["exposure"] = taken.rendering.exposure;
+  figures["nearest_voxels"] = taken.rendering.nearest;
+  figures["median_voxels"] = taken.rendering.middle;
+  VOXC_TRY(writeTaken(output_, taken));
   figures["file_seconds"] = laps.next();
   addWritten(figures, output_);
-  return cameraWarning(*taken, volume, clip_.isGiven());
+  return cameraWarning(taken, volume, clip_.isGiven());
 }
 
 // One tracer takes all frames, so pages that one frame has brought are there for the next; and so are
@@ -169,25 +156,20 @@ Expected<RenderSession::Warning> RenderSession::takeFlight(const Volume &volume,
   for (unsigned frame = 0; frame < flight_.frames(); ++frame) {
     const Stopwatch watch;
     FileCamera place = flight_.camera(frame);
-    const Expected<Camera> camera =
-        makeCamera(picture_.camera, place, volume.info().extent, volume.info().voxelToModel);
-    if (!camera)
-      return camera.error();
-    place.fov = camera->verticalFov; // As --fov says, if it does.
+    const auto camera =
+        VOXC_TRY(makeCamera(picture_.camera, place, volume.info().extent, volume.info().voxelToModel));
+    place.fov = camera.verticalFov; // As --fov says, if it does.
     const auto before = rays.paging();
-    const Expected<TakenPicture> taken = rays.take(volume, PlacedCamera{*camera}, ofFrame);
-    if (!taken)
-      return taken.error();
+    const auto taken = VOXC_TRY(rays.take(volume, PlacedCamera{camera}, ofFrame));
     const double took = watch.seconds();
     const std::string name = flight_.pictureName(frame);
-    if (Expected<void> written = writeTaken(name, *taken); !written)
-      return written.error();
+    VOXC_TRY(writeTaken(name, taken));
     addWritten(figures, name);
-    addSize(figures, *camera);
+    addSize(figures, camera);
     taking += took;
     writing += watch.seconds() - took;
     figures["frames"].push_back(frameFigures(place, watch.seconds(), before, rays.paging()));
-    if (const auto odd = cameraWarning(*taken, volume, clip_.isGiven()); odd && !warning)
+    if (const auto odd = cameraWarning(taken, volume, clip_.isGiven()); odd && !warning)
       warning = "in frame " + std::to_string(frame) + " " + *odd;
     options.progress.at("render", double(frame + 1) / flight_.frames(), frame + 1);
   }

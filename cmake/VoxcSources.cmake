@@ -1,0 +1,12 @@
+# voxc_sources(TARGET [FOLDER...]): a target's C++ files are all of these folders, or of this one. A new file is found by itself.
+function(voxc_sources target)
+  set(folders ${ARGN})
+  if(NOT folders)
+    set(folders .)
+  endif()
+  foreach(folder ${folders})
+    cmake_path(ABSOLUTE_PATH folder NORMALIZE)
+    file(GLOB sources CONFIGURE_DEPENDS "${folder}/*.cpp")
+    target_sources(${target} PRIVATE ${sources})
+  endforeach()
+endfunction()
