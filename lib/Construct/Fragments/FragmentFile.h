@@ -1,7 +1,7 @@
 // Files of fragments: what one machine hands to the one that merges (docs/hvf.md).
 #pragma once
 
-#include "Fragment.h"
+#include "Construct/Parts/Fragment.h"
 
 #include "Volume/Checksum.h"
 #include "voxc/Construct/FragmentShare.h"

@@ -1,7 +1,7 @@
 // What a format states of the colours of all voxels, proven as they come.
 #pragma once
 
-#include "ColourTable.h"
+#include "Construct/Nodes/ColourTable.h"
 
 #include "voxc/Layout/Layout.h"
 #include "voxc/Support/Error.h"

@@ -1,8 +1,8 @@
 // All fragments of a volume, as one stream of parts.
 #pragma once
 
+#include "Construct/Parts/PartStream.h"
 #include "FragmentFile.h"
-#include "PartStream.h"
 
 #include "voxc/Support/WorkingMemory.h"
 

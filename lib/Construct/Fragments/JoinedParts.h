@@ -1,8 +1,8 @@
 // Joining the parts of a cube to one: the step of a merge that leaves a fragment.
 #pragma once
 
+#include "Construct/Parts/PartBuilder.h"
 #include "FragmentSet.h"
-#include "PartBuilder.h"
 
 #include <memory>
 

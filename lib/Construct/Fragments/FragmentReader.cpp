@@ -1,7 +1,7 @@
 // Reading the files of fragments, and their checks.
+#include "Construct/Parts/PartBuilder.h"
 #include "FragmentFile.h"
 #include "FragmentLayout.h"
-#include "PartBuilder.h"
 
 #include <algorithm>
 #include <array>

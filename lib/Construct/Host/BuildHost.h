@@ -1,7 +1,7 @@
 // What generated construction code talks to, as a class.
 #pragma once
 
-#include "NodeStore.h"
+#include "Construct/Nodes/NodeStore.h"
 
 #include "voxc/Support/Geometry.h"
 

@@ -1,7 +1,7 @@
 // Cutting a volume into parts, and building one.
 #include "PartBuilder.h"
 
-#include "SourceHost.h"
+#include "Construct/Host/SourceHost.h"
 
 #include "Source/CubeTools.h"
 

@@ -1,10 +1,10 @@
 // Parts of a volume, one after the other in Morton order, and their joining to the whole.
 #pragma once
 
-#include "BuildHost.h"
-#include "ColourFact.h"
+#include "Construct/Host/BuildHost.h"
+#include "Construct/Host/ColourFact.h"
+#include "Construct/Host/SourceHost.h"
 #include "Fragment.h"
-#include "SourceHost.h"
 
 #include "voxc/Support/Next.h"
 

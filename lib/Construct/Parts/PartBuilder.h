@@ -1,7 +1,7 @@
 // Building parts: which cubes there are, and one of them at a time.
 #pragma once
 
-#include "ConstructCode.h"
+#include "Construct/Host/ConstructCode.h"
 #include "Fragment.h"
 
 #include "voxc/Source/VoxelSource.h"

@@ -1,7 +1,7 @@
 // A part of a volume that was built apart, and how it joins the whole (docs/hvf.md).
 #pragma once
 
-#include "NodeStore.h"
+#include "Construct/Nodes/NodeStore.h"
 
 #include "voxc/Layout/Layout.h"
 #include "voxc/Support/Geometry.h"

@@ -1,7 +1,7 @@
 // Completeness and order of fragments.
 #include "FragmentSet.h"
 
-#include "PartBuilder.h"
+#include "Construct/Parts/PartBuilder.h"
 
 #include "Source/CubeTools.h"
 

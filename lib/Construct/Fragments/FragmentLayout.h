@@ -1,7 +1,7 @@
 // How fragments lie in their files (docs/hvf.md); little-endian, no padding.
 #pragma once
 
-#include "NodeStore.h"
+#include "Construct/Nodes/NodeStore.h"
 
 #include "voxc_host.h"
 
