@@ -26,6 +26,8 @@ constexpr unsigned int LANES =
 #endif
 #elif defined(VOXC_PACKETS) && defined(__AVX2__)
 constexpr unsigned int LANES = 8;
+#elif defined(VOXC_PACKETS) && defined(__aarch64__)
+constexpr unsigned int LANES = 4; // A register of NEON each; of two for each value most would lie in memory.
 #else
 constexpr unsigned int LANES = 1;
 #endif

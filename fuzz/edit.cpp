@@ -6,9 +6,9 @@
 #include "RightChecksums.h"
 #include "WordMutator.h"
 
-#include "Construct/Extraction.h"
-#include "Construct/PartBuilder.h"
-#include "Construct/WordStore.h"
+#include "Construct/Nodes/WordStore.h"
+#include "Construct/Parts/Extraction.h"
+#include "Construct/Parts/PartBuilder.h"
 #include "Source/CubeTools.h"
 #include "Volume/VolumeFile.h"
 #include "voxc/Source/Edit.h"

@@ -2,8 +2,8 @@
 #include "FuzzedFile.h"
 #include "WordMutator.h"
 
-#include "Construct/FragmentSet.h"
-#include "Construct/WordStore.h"
+#include "Construct/Fragments/FragmentSet.h"
+#include "Construct/Nodes/WordStore.h"
 #include "Volume/Checksum.h"
 
 #include <cstring>

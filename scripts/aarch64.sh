@@ -2,9 +2,8 @@
 # aarch64.sh [VOXC]: what voxc is on 64-bit Arm processors, which qemu plays: the unit tests of what makes code and runs it, a kernel for
 # others to link, and volumes and hits, which must be those that VOXC (default: build/release/bin/voxc) makes here, byte for byte.
 #
-# Kernels for Arm go ray by ray: packets are for AVX2 and AVX-512. voxc-test-Jit has packets of 4, 8 and 16 lanes made for NEON all the same.
-# There is no Vulkan driver in qemu: tests of devices skip themselves, and are counted. Words.* of Construct are left to
-# scripts/compilers-words.sh, which compares all 520 of them.
+# Rays go in packets of four, a register of NEON for each value. There is no Vulkan driver in qemu: tests of devices skip themselves, and are
+# counted. Words.* of Construct are left to scripts/compilers-words.sh, which compares all 520 of them.
 cd "$(dirname "$0")/.."
 source scripts/lib.sh
 
@@ -32,11 +31,12 @@ test_part() { # PART
     "$(sed -n 's/^\[  SKIPPED \] \([0-9]*\) tests\?, .*/\1/p' "$log" | grep . || echo none)" $((SECONDS - begin))
 }
 
-# The object that others link: for this architecture, with registers of NEON, and without a name that it asks for.
+# The object that others link: for this architecture, with packets, in registers of NEON, and without a name that it asks for.
 look_at_kernel() {
   local object=$out/intersect.o vectors
   emulated "$there/bin/voxc" compile "D(6^3, 15) M(2^3)" --emit=cpu -o "$out" --quiet
   aarch64-linux-gnu-gcc -shared -nostdlib -Wl,-z,defs "$object" -o "$out/kernel.so"
+  aarch64-linux-gnu-nm "$object" | grep -q trace_packet || fail "$object has no packets"
   vectors=$(llvm-objdump-19 --disassemble "$object" | grep -c -E '\bv[0-9]+\.(16b|8b|8h|4h|4s|2s|2d)\b') || fail "$object uses no vector of NEON"
   printf '%s, %d instructions with vectors of NEON\n' "$(llvm-objdump-19 --file-headers "$object" | sed -n 's/^architecture: //p')" "$vectors"
 }

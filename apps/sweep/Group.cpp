@@ -1,7 +1,7 @@
 // Tracing a group.
 #include "sweep/Group.h"
 
-#include "common/Png.h"
+#include "common/PictureFile.h"
 #include "voxc/Measure/Subject.h"
 
 #include <algorithm>
@@ -142,7 +142,7 @@ void Group::takePicture(const std::string &path, const Camera &camera) {
   const std::vector<Ray> rays = cameraRays(camera);
   // A picture is no finding: a sweep without it is whole.
   if (first->subject->trace(rays, nullptr))
-    static_cast<void>(writePng(path, shade(rays, first->subject->hits(), camera.width, camera.height)));
+    static_cast<void>(writePicture(path, shade(rays, first->subject->hits(), camera.width, camera.height)));
 }
 
 bool Group::isSteady(const Cell &cell) const {

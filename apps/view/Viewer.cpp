@@ -1,7 +1,7 @@
 // What the viewer shows, and what it does with what its threads bring.
 #include "view/Viewer.h"
 
-#include "common/Png.h"
+#include "common/PictureFile.h"
 #include "view/Words.h"
 #include "voxc/Render/View.h"
 
@@ -315,7 +315,7 @@ void Viewer::writeScreenshot() {
   if (picture_.pixels.empty())
     return;
   if (const auto before = screenshots_.write(
-          [picture = picture_](const std::string &path) { return tool::writePng(path, picture); }))
+          [picture = picture_](const std::string &path) { return tool::writePicture(path, picture); }))
     takeScreenshot(*before);
   shot_ = state_.picture;
 }

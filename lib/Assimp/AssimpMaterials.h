@@ -2,8 +2,8 @@
 #pragma once
 
 #include "Mesh/FileBeside.h"
-#include "Mesh/Image/TextureSet.h"
 #include "Mesh/MeshInput.h"
+#include "Mesh/TextureSet.h"
 #include "Support/Problem.h"
 #include "Support/Warnings.h"
 #include "voxc/Mesh/TriangleScene.h"

@@ -1,8 +1,8 @@
 // Building volumes: compile, run.
+#include "Construct/Fragments/FragmentSet.h"
+#include "Construct/Parts/EditedParts.h"
+#include "Construct/Parts/ParallelParts.h"
 #include "ConstructorState.h"
-#include "EditedParts.h"
-#include "FragmentSet.h"
-#include "ParallelParts.h"
 
 #include "voxc/Layout/Values.h"
 #include "voxc/Support/Stopwatch.h"

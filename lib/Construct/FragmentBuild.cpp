@@ -1,9 +1,9 @@
 // Building and joining fragments.
+#include "Construct/Fragments/FragmentSet.h"
+#include "Construct/Fragments/JoinedParts.h"
+#include "Construct/Host/SourceHost.h"
+#include "Construct/Parts/ParallelParts.h"
 #include "ConstructorState.h"
-#include "FragmentSet.h"
-#include "JoinedParts.h"
-#include "ParallelParts.h"
-#include "SourceHost.h"
 
 #include "Source/CubeTools.h"
 #include "voxc/Support/Stopwatch.h"

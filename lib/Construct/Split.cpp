@@ -1,10 +1,10 @@
 // The parts of a finished volume, one after the other.
 #include "voxc/Construct/Split.h"
 
-#include "Extraction.h"
-#include "FragmentFile.h"
-#include "PartBuilder.h"
-#include "SourceHost.h"
+#include "Construct/Fragments/FragmentFile.h"
+#include "Construct/Host/SourceHost.h"
+#include "Construct/Parts/Extraction.h"
+#include "Construct/Parts/PartBuilder.h"
 
 #include "Source/CubeTools.h"
 #include "voxc/Support/Stopwatch.h"

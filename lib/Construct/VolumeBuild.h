@@ -1,9 +1,9 @@
 // One volume being built: where its words go, and what is reported when they are complete.
 #pragma once
 
-#include "BuildHost.h"
-#include "NodeStore.h"
-#include "ValueStore.h"
+#include "Construct/Host/BuildHost.h"
+#include "Construct/Nodes/NodeStore.h"
+#include "Construct/Nodes/ValueStore.h"
 
 #include "Volume/PagedFileWriter.h"
 #include "Volume/VolumeFileWriter.h"

@@ -1,8 +1,8 @@
 // Hosts of whole volumes.
 #include "WholeBuild.h"
 
+#include "Construct/Host/SourceHost.h"
 #include "ConstructorState.h"
-#include "SourceHost.h"
 
 #include "voxc/Emit/Emit.h"
 #include "voxc/Support/EmbeddedFile.h"

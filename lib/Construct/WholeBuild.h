@@ -1,8 +1,8 @@
 // From voxels, or from parts, to a whole volume.
 #pragma once
 
-#include "ConstructCode.h"
-#include "PartStream.h"
+#include "Construct/Host/ConstructCode.h"
+#include "Construct/Parts/PartStream.h"
 #include "VolumeBuild.h"
 
 #include "Jit/Jit.h"

@@ -5,6 +5,7 @@
 #include "KernelPasses.h"
 
 #include "Jit/Packet/PacketPass.h"
+#include "Jit/Packet/WideMasks.h"
 
 #include <llvm/IR/DiagnosticHandler.h>
 #include <llvm/IR/DiagnosticInfo.h>
@@ -38,7 +39,7 @@ std::string pipeline() {
   // packets, which would go all of these ways; rays that go one by one gain a sixth by it.
   const std::string packets = "packet,early-cse<>,jump-threading,correlated-propagation," + blocks + "," +
                               combine + ",gvn," + combine + "," + lateBlocks + "," + combine +
-                              ",loop-mssa(licm),instsimplify," + blocks;
+                              ",loop-mssa(licm),instsimplify," + blocks + ",wide-masks,adce";
 #ifdef NDEBUG
   const std::string check;
 #else
@@ -83,7 +84,11 @@ Expected<void> runKernelPasses(llvm::Module &module, llvm::TargetMachine &machin
                                              llvm::ArrayRef<llvm::PassBuilder::PipelineElement>) {
     if (name == "packet")
       passes.addPass(PacketPass());
-    return name == "packet";
+    else if (name == "wide-masks")
+      passes.addPass(WideMasksPass());
+    else
+      return false;
+    return true;
   });
   llvm::ModulePassManager passes;
   llvm::cantFail(builder.parsePassPipeline(passes, pipeline()));

@@ -1,7 +1,7 @@
 // What the values of a scene's voxels ask of a format.
 #include "voxc/Search/SceneValues.h"
 
-#include "Construct/ValueStore.h"
+#include "Construct/Nodes/ValueStore.h"
 
 #include <algorithm>
 #include <bit>

@@ -3,8 +3,8 @@
 #include "testing/HardRays/RandomSource.h"
 #include "testing/HardScenes.h"
 
+#include "Image/ImageDecoder.h"
 #include "Input/Points/PointSource.h"
-#include "Mesh/Image/ImageDecoder.h"
 #include "Mesh/Obj/ObjReader.h"
 #include "Mesh/Ply/PlyScene.h"
 #include "Mesh/Stl/StlReader.h"
@@ -24,7 +24,7 @@
 namespace voxc {
 
 /// Readers of images need libraries that are not at hand for every processor, and no input here has one.
-Expected<Texture> ImageDecoder::decode(std::span<const std::byte>) {
+Expected<DecodedImage> ImageDecoder::decode(std::span<const std::byte>) {
   return Error::input("images are not read here");
 }
 

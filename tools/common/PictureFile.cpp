@@ -1,52 +1,39 @@
 // Pictures as files, by a table of their kinds.
 #include "PictureFile.h"
 
-#include "Exr.h"
 #include "Files.h"
-#include "Jpeg.h"
-#include "Png.h"
+
+#include "voxc/Image/Encode.h"
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <vector>
 
 namespace voxc::tool {
 namespace {
 
 constexpr int kJpegQuality = 92;
 
-/// Linear red, green, blue and alpha of the picture's own colours.
-std::vector<float> lightOf(const Picture &picture) {
-  std::vector<float> light;
-  light.reserve(4 * picture.pixels.size());
-  const auto toLinear = [](std::uint32_t channel) {
-    const float value = float(channel & 255) / 255;
-    return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
-  };
-  for (const std::uint32_t pixel : picture.pixels)
-    light.insert(light.end(), {toLinear(pixel), toLinear(pixel >> 8), toLinear(pixel >> 16), 1.0f});
-  return light;
+using Light = std::span<const float>;
+
+Expected<std::string> pngOf(const Picture &picture, Light) {
+  return encodePng(picture.pixels, picture.width, picture.height);
 }
 
-std::string exrOf(const Picture &picture, std::span<const float> light) {
-  return light.empty() ? encodeExr(lightOf(picture), picture.width, picture.height)
+Expected<std::string> jpegOf(const Picture &picture, Light) {
+  return encodeJpeg(picture.pixels, picture.width, picture.height, kJpegQuality);
+}
+
+Expected<std::string> exrOf(const Picture &picture, Light light) {
+  return light.empty() ? encodeExr(picture.pixels, picture.width, picture.height)
                        : encodeExr(light, picture.width, picture.height);
 }
 
 struct PictureKind {
   std::string_view ending;
-  std::string (*encode)(const Picture &picture, std::span<const float> light);
+  Expected<std::string> (*encode)(const Picture &picture, Light light);
 };
 
-constexpr PictureKind kKinds[] = {
-    {".png", [](const Picture &picture, std::span<const float>) { return encodePng(picture); }},
-    {".jpg",
-     [](const Picture &picture, std::span<const float>) { return encodeJpeg(picture, kJpegQuality); }},
-    {".jpeg",
-     [](const Picture &picture, std::span<const float>) { return encodeJpeg(picture, kJpegQuality); }},
-    {".exr", exrOf},
-};
+constexpr PictureKind kKinds[] = {{".png", pngOf}, {".jpg", jpegOf}, {".jpeg", jpegOf}, {".exr", exrOf}};
 
 const PictureKind *kindOf(const std::string &path) {
   if (path == "-")
@@ -81,10 +68,8 @@ Expected<void> checkPictureName(const std::string &path) {
 Expected<void> writePicture(const std::string &path, const Picture &picture, std::span<const float> light) {
   if (Expected<void> named = checkPictureName(path); !named)
     return named;
-  const std::string bytes = kindOf(path)->encode(picture, light);
-  if (bytes.empty())
-    return Error::environment("out of memory while encoding " + path);
-  return writeText(path, bytes);
+  const Expected<std::string> bytes = kindOf(path)->encode(picture, light);
+  return bytes ? writeText(path, *bytes) : bytes.error();
 }
 
 } // namespace voxc::tool

@@ -1,7 +1,7 @@
 // Pictures made small.
 #include "SmallPicture.h"
 
-#include "Jpeg.h"
+#include "voxc/Image/Encode.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -68,8 +68,9 @@ std::string pictureAddress(const Picture &picture, std::size_t mostBytes) {
     const Picture small = shrunk(picture, trial.width);
     if (small.height > kMostHeight)
       continue;
-    std::string address = "data:image/jpeg;base64," + base64(encodeJpeg(small, trial.quality));
-    if (address.size() <= mostBytes)
+    const auto jpeg = encodeJpeg(small.pixels, small.width, small.height, trial.quality);
+    std::string address = jpeg ? "data:image/jpeg;base64," + base64(*jpeg) : std::string();
+    if (jpeg && address.size() <= mostBytes)
       return address;
   }
   return {};

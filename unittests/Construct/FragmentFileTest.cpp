@@ -1,7 +1,7 @@
 // Opening fragments: all of a file is looked at, and nothing of it stays in memory.
 #include "ResidentMemory.h"
 
-#include "Construct/FragmentFile.h"
+#include "Construct/Fragments/FragmentFile.h"
 
 #include <gtest/gtest.h>
 

@@ -91,7 +91,28 @@ constexpr Body kBodies[] = {
                       "s += n; n--; } return s;"},
 };
 
-TEST(Packets, DoWhatSingleLanesDo) {
+/// Processors with gathers, scatters and registers of masks, or without: this one, the least of its kind, and
+/// on x86-64 one between, as far as this one can do what it does.
+class Packets : public testing::TestWithParam<const char *> {
+protected:
+  void SetUp() override {
+#ifdef __x86_64__
+    if (GetParam() == std::string("x86-64-v3") && !__builtin_cpu_supports("avx2"))
+      GTEST_SKIP() << "this processor has no AVX2";
+#endif
+  }
+};
+
+constexpr const char *kProcessors[] = {
+    "native",
+    "",
+#ifdef __x86_64__
+    "x86-64-v3",
+#endif
+};
+INSTANTIATE_TEST_SUITE_P(Processors, Packets, testing::ValuesIn(kProcessors));
+
+TEST_P(Packets, DoWhatSingleLanesDo) {
   std::mt19937 random(7);
   std::vector<std::uint32_t> in(512);
   for (std::uint32_t &number : in)
@@ -99,7 +120,8 @@ TEST(Packets, DoWhatSingleLanesDo) {
   for (const Body &body : kBodies)
     for (const int lanes : {4, 8, 16}) {
       const std::string text = programOf(body.text, lanes);
-      const auto code = JitCode::compile({{"lanes.cpp", text}}, {.optimisation = 3, .isKernel = true});
+      const auto code = JitCode::compile({{"lanes.cpp", text}},
+                                         {.optimisation = 3, .isKernel = true, .processor = GetParam()});
       ASSERT_TRUE(code) << body.name << ": " << code.error().message;
       // 500: the last packet is not full.
       std::vector<std::uint32_t> packets(512, 1), singles(512, 1);
@@ -109,10 +131,10 @@ TEST(Packets, DoWhatSingleLanesDo) {
     }
 }
 
-TEST(Packets, CountTheLanesAtWork) {
+TEST_P(Packets, CountTheLanesAtWork) {
   const std::string body = "if (in[number] & 1u) return lanes_at_work<PACKET>(number); return 0u;";
-  const auto code =
-      JitCode::compile({{"lanes.cpp", programOf(body, 8)}}, {.optimisation = 3, .isKernel = true});
+  const auto code = JitCode::compile({{"lanes.cpp", programOf(body, 8)}},
+                                     {.optimisation = 3, .isKernel = true, .processor = GetParam()});
   ASSERT_TRUE(code) << code.error().message;
   const std::vector<std::uint32_t> in = {1, 0, 1, 1, 0, 0, 0, 0, 0, 1};
   std::vector<std::uint32_t> out(10);
@@ -120,7 +142,7 @@ TEST(Packets, CountTheLanesAtWork) {
   EXPECT_THAT(out, testing::ElementsAre(3, 0, 3, 3, 0, 0, 0, 0, 0, 1));
 }
 
-TEST(Packets, RefuseWhatTheyCannotWiden) {
+TEST_P(Packets, RefuseWhatTheyCannotWiden) {
   const std::string body = "return uint(__builtin_readcyclecounter()) + in[number];";
   const auto code =
       JitCode::compile({{"lanes.cpp", programOf(body, 8)}}, {.optimisation = 3, .isKernel = true});

@@ -1,7 +1,7 @@
 // Making the nodes of a volume known, so that new ones which are equal to one are not written.
 #pragma once
 
-#include "Construct/NodeStore.h"
+#include "Construct/Nodes/NodeStore.h"
 #include "OldNodes.h"
 
 #include <vector>

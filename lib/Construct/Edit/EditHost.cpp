@@ -1,7 +1,7 @@
 // From the table of functions to the change and the store.
 #include "EditHost.h"
 
-#include "Construct/Serve.h"
+#include "Construct/Host/Serve.h"
 
 #include <unordered_set>
 

@@ -1,8 +1,8 @@
 // What generated code for edits talks to: the change, what the volume was, and where words go.
 #pragma once
 
-#include "Construct/BuildHost.h"
-#include "Construct/VoxelProof.h"
+#include "Construct/Host/BuildHost.h"
+#include "Construct/Host/VoxelProof.h"
 #include "EditStore.h"
 #include "OldNodes.h"
 #include "VoxelTally.h"

@@ -2,7 +2,7 @@
 // found among all. The grid of the first level, which nothing else leads to, may change where it is.
 #pragma once
 
-#include "Construct/NodeStore.h"
+#include "Construct/Nodes/NodeStore.h"
 #include "OldNodes.h"
 
 #include "voxc/Construct/EditableVolume.h"

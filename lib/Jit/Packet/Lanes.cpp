@@ -8,11 +8,10 @@
 #include <algorithm>
 
 namespace voxc {
-namespace {} // namespace
 
-Lanes::Lanes(llvm::Function &function, unsigned count)
-    : function_(function), context_(function.getContext()), layout_(function.getDataLayout()), count_(count),
-      builder_(function.getContext()) {}
+Lanes::Lanes(llvm::Function &function, unsigned count, const llvm::TargetTransformInfo &target)
+    : function_(function), context_(function.getContext()), layout_(function.getDataLayout()),
+      target_(target), count_(count), builder_(function.getContext()) {}
 
 llvm::Value *Lanes::any(llvm::Value *mask) {
   llvm::Value *bits = builder_.CreateBitCast(mask, builder_.getIntNTy(count_));
@@ -165,7 +164,43 @@ llvm::Value *Lanes::load(llvm::LoadInst &load, llvm::Value *mask) {
   llvm::Value *address = get(load.getPointerOperand());
   if (!address->getType()->isVectorTy())
     return loadShared(load, mask);
+  if (!target_.isLegalMaskedGather(wide(load.getType()), load.getAlign()))
+    return loadEach(load, address, mask);
   return builder_.CreateMaskedGather(wide(load.getType()), address, load.getAlign(), mask);
+}
+
+/// Addresses of which lanes that are not at work have one on the stack, so that no branch is needed where a
+/// processor has neither gathers nor scatters.
+llvm::Value *Lanes::harmless(llvm::Value *addresses, llvm::Value *mask) {
+  if (unused_ == nullptr) {
+    llvm::BasicBlock &entry = function_.getEntryBlock();
+    unused_ = llvm::IRBuilder<>(&entry, entry.begin()).CreateAlloca(builder_.getInt64Ty());
+  }
+  return builder_.CreateSelect(mask, addresses, spread(unused_));
+}
+
+llvm::Value *Lanes::loadEach(const llvm::LoadInst &load, llvm::Value *addresses, llvm::Value *mask) {
+  llvm::Value *from = harmless(addresses, mask);
+  llvm::Value *result = llvm::PoisonValue::get(wide(load.getType()));
+  for (unsigned lane = 0; lane < count_; ++lane) {
+    llvm::Value *address = builder_.CreateExtractElement(from, lane);
+    llvm::Value *word = builder_.CreateAlignedLoad(load.getType(), address, load.getAlign());
+    result = builder_.CreateInsertElement(result, word, lane);
+  }
+  return result;
+}
+
+llvm::Value *Lanes::store(llvm::StoreInst &store, llvm::Value *mask) {
+  llvm::Value *values = vector(store.getValueOperand());
+  llvm::Value *addresses = vector(store.getPointerOperand());
+  if (target_.isLegalMaskedScatter(values->getType(), store.getAlign()))
+    return builder_.CreateMaskedScatter(values, addresses, store.getAlign(), mask);
+  llvm::Value *to = harmless(addresses, mask);
+  llvm::Value *last = nullptr;
+  for (unsigned lane = 0; lane < count_; ++lane)
+    last = builder_.CreateAlignedStore(builder_.CreateExtractElement(values, lane),
+                                       builder_.CreateExtractElement(to, lane), store.getAlign());
+  return last;
 }
 
 /// True if an address of memory that each lane has of its own goes where it is not known to be one.
@@ -210,9 +245,8 @@ llvm::Value *Lanes::widened(llvm::Instruction &instruction, llvm::Value *mask) {
     return nullptr;
   if (auto *read = llvm::dyn_cast<llvm::LoadInst>(&instruction))
     return load(*read, mask);
-  if (auto *store = llvm::dyn_cast<llvm::StoreInst>(&instruction))
-    return builder_.CreateMaskedScatter(vector(store->getValueOperand()), vector(store->getPointerOperand()),
-                                        store->getAlign(), mask);
+  if (auto *written = llvm::dyn_cast<llvm::StoreInst>(&instruction))
+    return store(*written, mask);
   if (instruction.isBinaryOp() || instruction.isUnaryOp() || instruction.isCast() ||
       llvm::isa<llvm::CmpInst, llvm::SelectInst, llvm::FreezeInst>(instruction))
     return isShared(instruction) && !instruction.isIntDivRem() ? clone(instruction)

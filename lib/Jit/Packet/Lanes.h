@@ -3,6 +3,7 @@
 
 #include <llvm/ADT/DenseMap.h>
 #include <llvm/ADT/DenseSet.h>
+#include <llvm/Analysis/TargetTransformInfo.h>
 #include <llvm/IR/IRBuilder.h>
 #include <llvm/IR/Instructions.h>
 #include <llvm/IR/IntrinsicInst.h>
@@ -18,7 +19,7 @@ inline constexpr const char *kLanesAtWork = "voxc_lanes_at_work";
 /// Writes the instructions of a function for one lane as instructions for all.
 class Lanes {
 public:
-  Lanes(llvm::Function &function, unsigned count);
+  Lanes(llvm::Function &function, unsigned count, const llvm::TargetTransformInfo &target);
 
   llvm::IRBuilder<> &builder() { return builder_; }
   llvm::Type *wide(llvm::Type *type) const { return llvm::FixedVectorType::get(type, count_); }
@@ -60,13 +61,18 @@ private:
   llvm::Value *privateAddress(llvm::GetElementPtrInst &address);
   llvm::Value *load(llvm::LoadInst &load, llvm::Value *mask);
   llvm::Value *loadShared(llvm::LoadInst &load, llvm::Value *mask);
+  llvm::Value *loadEach(const llvm::LoadInst &load, llvm::Value *addresses, llvm::Value *mask);
+  llvm::Value *store(llvm::StoreInst &store, llvm::Value *mask);
+  llvm::Value *harmless(llvm::Value *addresses, llvm::Value *mask);
   bool isWord(llvm::Type *type) const { return type->isIntegerTy(32) || type->isFloatTy(); }
 
   llvm::Function &function_;
   llvm::LLVMContext &context_;
   const llvm::DataLayout &layout_;
+  const llvm::TargetTransformInfo &target_;
   unsigned count_;
   llvm::IRBuilder<> builder_;
+  llvm::AllocaInst *unused_ = nullptr; ///< Where lanes that are not at work read and write.
   llvm::DenseMap<const llvm::Value *, llvm::Value *> values_;
   llvm::DenseMap<const llvm::Value *, Place> places_;
   llvm::DenseSet<const llvm::Value *> private_; ///< Addresses of memory that each lane has of its own.

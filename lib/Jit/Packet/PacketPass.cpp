@@ -3,6 +3,7 @@
 #include "Lanes.h"
 #include "PacketWriter.h"
 
+#include <llvm/Analysis/TargetTransformInfo.h>
 #include <llvm/IR/Constants.h>
 #include <llvm/IR/DiagnosticInfo.h>
 #include <llvm/IR/InstIterator.h>
@@ -53,7 +54,8 @@ llvm::PreservedAnalyses PacketPass::run(llvm::Function &function, llvm::Function
   prepare(llvm::UnifyFunctionExitNodesPass());
   prepare(llvm::LoopSimplifyPass());
   prepare(llvm::LCSSAPass());
-  if (const llvm::Instruction *unknown = writePacket(function, lanes)) {
+  const llvm::TargetTransformInfo &target = analyses.getResult<llvm::TargetIRAnalysis>(function);
+  if (const llvm::Instruction *unknown = writePacket(function, lanes, target)) {
     std::string text = "voxc cannot make a packet of: ";
     llvm::raw_string_ostream(text) << *unknown;
     function.getContext().diagnose(llvm::DiagnosticInfoUnsupported(function, text));

@@ -21,8 +21,9 @@ struct Way {
 
 class PacketWriter {
 public:
-  PacketWriter(llvm::Function &function, unsigned count)
-      : function_(function), schedule_(function), lanes_(function, count), builder_(lanes_.builder()) {}
+  PacketWriter(llvm::Function &function, unsigned count, const llvm::TargetTransformInfo &target)
+      : function_(function), schedule_(function), lanes_(function, count, target),
+        builder_(lanes_.builder()) {}
 
   const llvm::Instruction *write();
 
@@ -300,8 +301,9 @@ void PacketWriter::way(llvm::BasicBlock *from, llvm::BasicBlock *to, llvm::Value
 
 } // namespace
 
-const llvm::Instruction *writePacket(llvm::Function &function, unsigned lanes) {
-  return PacketWriter(function, lanes).write();
+const llvm::Instruction *writePacket(llvm::Function &function, unsigned lanes,
+                                     const llvm::TargetTransformInfo &target) {
+  return PacketWriter(function, lanes, target).write();
 }
 
 } // namespace voxc

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Mesh/Gltf/GltfBuffers.h"
-#include "Mesh/Image/TextureSet.h"
+#include "Mesh/TextureSet.h"
 
 #include <optional>
 #include <vector>

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "Mesh/FileBeside.h"
-#include "Mesh/Image/TextureSet.h"
 #include "Mesh/MeshInput.h"
 #include "Mesh/Obj/MaterialLibrary.h"
+#include "Mesh/TextureSet.h"
 #include "Support/Problem.h"
 
 #include <map>

@@ -2,8 +2,8 @@
 #include "Mesh/Ply/PlyTextures.h"
 
 #include "Mesh/FileBeside.h"
-#include "Mesh/Image/TextureSet.h"
 #include "Mesh/KeptArray.h"
+#include "Mesh/TextureSet.h"
 
 #include <cstring>
 #include <limits>

@@ -1,10 +1,10 @@
 // Slices as PNG pictures.
 #include "Source/Export/NumberedFiles.h"
-#include "Source/Export/PngEncoder.h"
 #include "Source/Export/SliceAxes.h"
 #include "Source/Export/VoxelVisit.h"
 #include "Source/Export/Writers.h"
 #include "Support/ParallelFor.h"
+#include "voxc/Image/Encode.h"
 
 #include <algorithm>
 #include <cstring>

@@ -6,8 +6,8 @@
 #include "Source/Export/LookPaint.h"
 #include "Source/Export/LookTexels.h"
 #include "Source/Export/LookedVoxels.h"
-#include "Source/Export/PngEncoder.h"
 #include "Source/Export/Writers.h"
+#include "voxc/Image/Encode.h"
 #include "voxc/Volume/LabelColour.h"
 
 #include <string>
