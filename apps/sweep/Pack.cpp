@@ -92,8 +92,7 @@ Expected<void> PackWriter::addPieces(const std::string &name, const std::string 
 Expected<void> PackWriter::finish() {
   if (left_ < cells_.size() + script().size())
     VOXC_TRY(startPack());
-  if (Expected<void> written = writeText(pathOf(kCells), cells_); !written)
-    return written;
+  VOXC_TRY(writeText(pathOf(kCells), cells_));
   return writeText(pathOf(kScript), script());
 }
 

@@ -6,19 +6,15 @@
 namespace voxc {
 
 Expected<Texture> TextureSet::decode(std::span<const std::byte> bytes) {
-  auto image = decoder_.decode(bytes);
-  if (!image)
-    return image.error();
-  return Texture{image->width, image->height,
-                 std::make_shared<const ScratchArray<std::uint32_t>>(std::move(image->texels))};
+  auto image = VOXC_TRY(decoder_.decode(bytes));
+  return Texture{image.width, image.height,
+                 std::make_shared<const ScratchArray<std::uint32_t>>(std::move(image.texels))};
 }
 
 Expected<int> TextureSet::readFile(const std::string &path) {
   return read(path, path, [&](const Decode &decode) -> Expected<Texture> {
-    auto file = WatchedFile::open(path, memory_);
-    if (!file)
-      return file.error();
-    return decode((*file)->bytes());
+    auto file = VOXC_TRY(WatchedFile::open(path, memory_));
+    return decode(file->bytes());
   });
 }
 
