@@ -16,7 +16,6 @@ namespace voxc {
 
 namespace {
 
-constexpr int kLog2Brick = 3;
 constexpr int kLog2Chunk = ChunkBricks::kLog2Chunk;
 
 /// Cells from `low` up to below `high`.
@@ -46,7 +45,7 @@ Expected<void> forEachVoxel(VoxelSource &source, const Cube &cube, Skips &skips,
   const auto isSkipped = VOXC_TRY(skips(cube));
   if (isSkipped || source.empty(cube))
     return {};
-  if (cube.log2Side > kLog2Brick) {
+  if (cube.log2Side > ChunkBricks::kLog2Brick) {
     const int half = cube.log2Side - 1;
     for (unsigned octant = 0; octant < 8; ++octant)
       if (auto visited =
@@ -65,7 +64,7 @@ Expected<void> forEachVoxel(VoxelSource &source, const Cube &cube, Skips &skips,
 }
 
 Cube cubeAround(Int3 extent) {
-  Cube cube{{}, kLog2Brick};
+  Cube cube{{}, ChunkBricks::kLog2Brick};
   while (cube.side() < std::max({extent.x, extent.y, extent.z}))
     ++cube.log2Side;
   return cube;
