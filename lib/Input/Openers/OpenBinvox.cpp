@@ -18,7 +18,7 @@ namespace voxc {
 
 namespace {
 
-constexpr std::string_view kKind = "binvox file";
+constexpr std::string_view kBinvoxFile = "binvox file";
 
 /// A bit for each voxel, in the order of the file.
 using Bits = ScratchArray<std::uint64_t>;
@@ -164,10 +164,10 @@ Expected<Input> openBinvox(const std::string &path, const InputOptions &options)
   const Stopwatch loading;
   auto file = VOXC_TRY(WatchedFile::open(path, options.memory));
   std::string_view text = file->text();
-  auto header = VOXC_TRY(usable(readHeader(text), path, kKind));
+  auto header = VOXC_TRY(usable(readHeader(text), path, kBinvoxFile));
   const Int3 extent = header.extent;
   auto bits = std::make_shared<Bits>(options.memory);
-  VOXC_TRY(usable(readRuns(text, cellsOf(extent), *bits, options, header.warnings), path, kKind));
+  VOXC_TRY(usable(readRuns(text, cellsOf(extent), *bits, options, header.warnings), path, kBinvoxFile));
   Input input;
   if (options.describe)
     input.facts = factsOf(header, *bits);

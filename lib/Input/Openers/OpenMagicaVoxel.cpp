@@ -24,7 +24,7 @@ namespace voxc {
 
 namespace {
 
-constexpr std::string_view kKind = "MagicaVoxel file";
+constexpr std::string_view kMagicaVoxelFile = "MagicaVoxel file";
 
 /// A file of some megabytes may place its models so often that nothing could hold their voxels.
 constexpr std::uint64_t kMostPlaced = std::uint64_t{1} << 30;
@@ -247,14 +247,14 @@ Expected<Input> openMagicaVoxel(const std::string &path, const InputOptions &opt
   SceneParts parts;
   for (const std::string &name : paths) {
     auto file = VOXC_TRY(WatchedFile::open(name, options.memory));
-    VOXC_TRY(usable(addPart(parts, std::move(file), frame), name, kKind));
+    VOXC_TRY(usable(addPart(parts, std::move(file), frame), name, kMagicaVoxelFile));
     if (options.boxOfAllFrames)
-      VOXC_TRY(usable(coverAllFrames(parts.back()), name, kKind));
+      VOXC_TRY(usable(coverAllFrames(parts.back()), name, kMagicaVoxelFile));
   }
   auto opened = openScene(parts, options);
   if (!opened && opened.error().kind == ErrorKind::Usage)
     return Error::input("'" + path + "' " + opened.error().message);
-  auto input = VOXC_TRY(usable(std::move(opened), path, kKind));
+  auto input = VOXC_TRY(usable(std::move(opened), path, kMagicaVoxelFile));
   for (std::string &sentence : saysBesides(named.path))
     input.warnings.push_back(std::move(sentence));
   input.loadSeconds = loading.seconds();
