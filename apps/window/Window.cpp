@@ -258,7 +258,7 @@ bool hasWindows() { return true; }
 
 Expected<void> runWindow(const std::string &title, ViewerOptions options, SceneMaker maker, EventLog &log) {
   tool::catchInterrupts();
-  VOXC_TRY(Desktop::open());
+  const auto desktop = VOXC_TRY(Desktop::open());
   auto handle = VOXC_TRY(makeWindow(title, options.width, options.height));
   const ImGuiContextOwner context;
   auto presenter = VOXC_TRY(Presenter::create(handle.get()));
