@@ -155,10 +155,10 @@ double SearchLoop::reserve() const {
 
 std::size_t SearchLoop::nextBatch() const {
   const double formats = (options_.budget.left() - reserve()) / secondsOfOne();
-  // Until one was measured, how long it takes is a guess.
-  const double share = measuredCount_ == 0 ? 0.5 : 1;
-  return formats <= 0 ? (findings_.empty() ? 1 : 0)
-                      : std::min(options_.together, static_cast<std::size_t>(share * formats) + 1);
+  if (formats <= 0)
+    return findings_.empty() ? 1 : 0;
+  // Until one was measured, how long it takes is a guess, and a batch has no answer before its last one is built.
+  return measuredCount_ == 0 ? 1 : std::min(options_.together, static_cast<std::size_t>(formats) + 1);
 }
 
 Expected<void> SearchLoop::measureFrontier(const Progress &progress) {
