@@ -29,15 +29,42 @@ function(voxc_precompile target)
   endif()
 endfunction()
 
-# Files with local names that others of their library have too.
+# Files with local names that others of their library have too, wherever they stand.
 file(STRINGS "${CMAKE_CURRENT_LIST_DIR}/alone.txt" VOXC_ALONE REGEX "^[^#]")
+list(TRANSFORM VOXC_ALONE PREPEND "${PROJECT_SOURCE_DIR}/")
 
 # voxc_together(TARGET): the files of a library are compiled together, a dozen as one.
 function(voxc_together target)
-  if(NOT VOXC_FIRST_BUILD)
-    return()
+  if(VOXC_FIRST_BUILD)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
+    set_source_files_properties(${VOXC_ALONE} TARGET_DIRECTORY ${target} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    cmake_language(EVAL CODE "cmake_language(DEFER CALL voxc_deal ${target})") # When all of its files are known.
   endif()
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
-  list(TRANSFORM VOXC_ALONE PREPEND "${PROJECT_SOURCE_DIR}/" OUTPUT_VARIABLE alone)
-  set_source_files_properties(${alone} TARGET_DIRECTORY ${target} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
+# voxc_deal(TARGET): files of one folder, whose local names are often the same, go to different dozens; but those that read LLVM's
+# headers stay together.
+function(voxc_deal target)
+  get_target_property(sources ${target} SOURCES)
+  set(others ${sources})
+  list(FILTER others INCLUDE REGEX "/lib/Jit/")
+  foreach(source IN LISTS VOXC_ALONE)
+    if(source IN_LIST sources)
+      list(APPEND others "${source}")
+    endif()
+  endforeach()
+  list(REMOVE_ITEM sources ${others})
+  list(LENGTH sources count)
+  math(EXPR dozens "(${count} + 11) / 12")
+  math(EXPR last "${count} - 1")
+  set(dealt)
+  foreach(first RANGE ${dozens})
+    if(first LESS dozens)
+      foreach(place RANGE ${first} ${last} ${dozens})
+        list(GET sources ${place} source)
+        list(APPEND dealt "${source}")
+      endforeach()
+    endif()
+  endforeach()
+  set_property(TARGET ${target} PROPERTY SOURCES ${dealt} ${others})
 endfunction()

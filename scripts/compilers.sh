@@ -30,15 +30,16 @@ sources() {
   ls lib/Mesh/*.cpp lib/Input/Openers/InputText.cpp | grep -v SceneLoader
 }
 
-# What is compiled in one go: the files of a folder together, as first builds do (cmake/VoxcFirstBuild.cmake).
+# What is compiled in one go: a dozen files, those of a folder apart, as first builds do (cmake/VoxcFirstBuild.cmake).
 batches() {
-  local alone="testing/Digests|$(grep -v '^#' cmake/alone.txt | grep . | paste -s -d '|')"
+  local alone="testing/Digests|$(grep -v '^#' cmake/alone.txt | grep . | paste -s -d '|')" files dozens place
   sources | grep -E "^($alone)" | sed "s|^|$PWD/|"
   rm -f "$out"/together-*.cpp
-  local source
-  while read -r source; do
-    printf '#include "%s"\n' "$PWD/$source" >> "$out/together-$(dirname "$source" | tr / -).cpp"
-  done < <(sources | grep -v -E "^($alone)")
+  mapfile -t files < <(sources | grep -v -E "^($alone)" | sort)
+  dozens=$(((${#files[@]} + 11) / 12))
+  for place in "${!files[@]}"; do
+    printf '#include "%s"\n' "$PWD/${files[place]}" >> "$out/together-$((place % dozens)).cpp"
+  done
   ls "$out"/together-*.cpp
 }
 

@@ -26,7 +26,7 @@ constexpr std::uint64_t kVoxelCost = 1;
 constexpr std::uint64_t kColourCost = 2;
 constexpr std::uint64_t kRecordCost = 8;
 
-int maxComponent(Int3 extent) { return std::max({extent.x, extent.y, extent.z, 1}); }
+int longestEdge(Int3 extent) { return std::max({extent.x, extent.y, extent.z, 1}); }
 int log2Ceil(int value) { return std::bit_width(static_cast<unsigned>(value) - 1); }
 Int3 childLow(const Cube &cube, int child) {
   return cube.low + Int3{child & 1, child >> 1 & 1, child >> 2} * (1 << (cube.log2Side - 1));
@@ -70,7 +70,7 @@ Expected<void> forEachBrick(VoxelSource &source, const Cube &cube, const Progres
 /// those that costs are for.
 Expected<void> addVoxels(VoxelSource &source, int log2Coarser, std::uint64_t weight, const Progress &progress,
                          CubeCosts &costs) {
-  const Cube all = {{}, std::max(log2Ceil(maxComponent(source.extent())), kLog2Brick)};
+  const Cube all = {{}, std::max(log2Ceil(longestEdge(source.extent())), kLog2Brick)};
   const int shift = std::max(costs.log2Side - log2Coarser, 0);
   const auto visit = [&](Int3 low, const BrickCount &count) {
     const std::uint64_t code = mortonCode(low >> shift);
@@ -84,7 +84,7 @@ Expected<void> addVoxels(VoxelSource &source, int log2Coarser, std::uint64_t wei
 
 /// Opens a mesh with fewer, larger voxels.
 Expected<Input> openCoarse(const std::string &name, InputOptions options, Int3 extent) {
-  options.resolution = std::max(maxComponent(extent) >> kLog2Coarser, 1);
+  options.resolution = std::max(longestEdge(extent) >> kLog2Coarser, 1);
   const int holds = 2 * options.resolution;
   options.formatExtent = {holds, holds, holds};
   return openInput(name, options);
@@ -106,12 +106,12 @@ void addRecords(const VoxelSource &source, CubeCosts &costs) {
 Expected<CubeCosts> predictCosts(const Input &input, const std::string &name, const InputOptions &options,
                                  int log2Side) {
   VoxelSource &source = *input.source;
-  const int whole = log2Ceil(maxComponent(source.extent()));
+  const int whole = log2Ceil(longestEdge(source.extent()));
   CubeCosts costs;
   costs.log2Side = std::max(log2Side, whole - kLog2MostCubes);
   costs.costs.resize(std::size_t{1} << 3 * std::max(whole - costs.log2Side, 0));
   const bool isMesh = input.triangles > 0 && !input.isCropped && input.interior == Interior::Keep;
-  if (!isMesh || maxComponent(source.extent()) < kSmallestEstimated) {
+  if (!isMesh || longestEdge(source.extent()) < kSmallestEstimated) {
     const std::unique_ptr<VoxelSource> view = source.view();
     VOXC_TRY(addVoxels(view ? *view : source, 0, 1, options.progress, costs));
   } else {

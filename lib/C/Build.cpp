@@ -53,7 +53,7 @@ Expected<std::vector<CodedVoxel>> sorted(const std::int32_t *places, const std::
         place.z >= extent.z)
       return Error::input("voxel " + std::to_string(i) + " lies at " + std::to_string(place.x) + ", " +
                           std::to_string(place.y) + ", " + std::to_string(place.z) +
-                          ", outside of an extent of " + toText(extent));
+                          ", outside of an extent of " + extentText(extent));
     voxels.push_back({mortonCode(place), words[i]});
   }
   std::ranges::stable_sort(voxels, {}, &CodedVoxel::code);

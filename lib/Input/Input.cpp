@@ -160,8 +160,8 @@ Expected<Input> openInput(const std::string &input, const InputOptions &options)
   const Int3 extent = opened.source->extent();
   const Int3 holds = options.formatExtent;
   if (extent.x > holds.x || extent.y > holds.y || extent.z > holds.z)
-    return Error::input("'" + input + "' takes " + toText(extent) + " voxels, but the format holds " +
-                        toText(holds));
+    return Error::input("'" + input + "' takes " + extentText(extent) + " voxels, but the format holds " +
+                        extentText(holds));
   return opened;
 }
 

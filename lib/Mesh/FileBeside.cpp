@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view kNameBlanks = " \t";
 
 /// Entries of a folder that are looked at for a name in letters of another case.
-constexpr int kMostEntries = 1 << 16;
+constexpr int kMostListed = 1 << 16;
 
 /// Ends of a path that are looked for.
 constexpr std::size_t kMostParts = 8;
@@ -111,7 +111,7 @@ std::optional<std::string> FilesBeside::entryOf(const std::string &folder, const
   fs::directory_iterator entry;
   if (isNew)
     entry = fs::directory_iterator(folder.empty() ? "." : folder, failed);
-  for (int i = 0; i < kMostEntries && !failed && entry != fs::directory_iterator(); ++i) {
+  for (int i = 0; i < kMostListed && !failed && entry != fs::directory_iterator(); ++i) {
     const std::string found = entry->path().filename().string();
     listing->second.try_emplace(lowerCase(found), found);
     entry.increment(failed);

@@ -1,6 +1,8 @@
 // Fitting a model's bounds into voxels.
 #include "Mesh/ModelFrame.h"
 
+#include "Source/GridExtent.h"
+
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -12,10 +14,6 @@
 namespace voxc {
 
 namespace {
-
-std::string toText(Int3 extent) {
-  return std::to_string(extent.x) + "x" + std::to_string(extent.y) + "x" + std::to_string(extent.z);
-}
 
 std::string numberText(double number) {
   std::array<char, 32> text{};
@@ -86,8 +84,8 @@ Expected<ModelFrame> ModelFrame::fit(const FrameOptions &options) {
   frame.extent_ = extentAt(size, longest, resolution);
   if (!fits(frame.extent_, options.maxExtent))
     return Error::input("at resolution " + std::to_string(resolution) + " the model takes " +
-                        toText(frame.extent_) + " voxels, but the format holds " + toText(options.maxExtent) +
-                        "; lower the resolution or enlarge the format");
+                        extentText(frame.extent_) + " voxels, but the format holds " +
+                        extentText(options.maxExtent) + "; lower the resolution or enlarge the format");
   // A single point, or bounds so small that their inverse overflows, has no scale of its own.
   const double scale = resolution / longest;
   frame.scale_ = longest > 0 && std::isfinite(scale) ? scale : 1;
@@ -115,9 +113,9 @@ Expected<void> ModelFrame::place(const FrameOptions &options, const glm::dvec3 &
     extent_[axis] = static_cast<std::int32_t>(std::clamp(voxels, 1.0, 2147483647.0));
   }
   if (!fits(extent_, options.maxExtent))
-    return Error::input("with voxels of side " + numberText(side) + " the model takes " + toText(extent_) +
-                        " voxels, but the format holds " + toText(options.maxExtent) +
-                        "; make the voxels larger or the format");
+    return Error::input("with voxels of side " + numberText(side) + " the model takes " +
+                        extentText(extent_) + " voxels, but the format holds " +
+                        extentText(options.maxExtent) + "; make the voxels larger or the format");
   return {};
 }
 

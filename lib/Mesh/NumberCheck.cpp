@@ -13,7 +13,7 @@ namespace voxc {
 
 namespace {
 
-constexpr std::uint64_t kRowsBetweenLooks = 1024;
+constexpr std::uint64_t kNumbersBetweenLooks = 1024;
 
 /// Tells views apart by the rows that they show.
 using ViewKey = std::tuple<const std::byte *, std::uint64_t, std::uint32_t, AttributeView::Type>;
@@ -49,12 +49,12 @@ private:
 
   /// Calls `look(row)` for all rows; false if the work shall stop.
   template <typename Look> bool forRows(const AttributeView &view, const Look &look) {
-    for (std::uint64_t begin = 0; begin < view.count; begin += kRowsBetweenLooks) {
+    for (std::uint64_t begin = 0; begin < view.count; begin += kNumbersBetweenLooks) {
       if (!input_.at(begin, view.count)) {
         problem_.set(Error::interrupted());
         return false;
       }
-      const std::uint64_t end = std::min(view.count, begin + kRowsBetweenLooks);
+      const std::uint64_t end = std::min(view.count, begin + kNumbersBetweenLooks);
       for (std::uint64_t row = begin; row < end; ++row)
         look(row);
     }

@@ -156,8 +156,8 @@ Expected<Int3> extentOf(const openvdb::CoordBBox &box, const InputOptions &optio
   const bool fits = extent.x <= holds.x && extent.y <= holds.y && extent.z <= holds.z;
   // What is empty is kept in a bit for each 512 cells.
   if (!fits || cellsOf(extent) > std::uint64_t{1} << 42)
-    return Error::input("its grid takes " + toText(extent) + " voxels, but the format holds " +
-                        toText(holds) + (fits ? " and at most 2^42 are read" : ""));
+    return Error::input("its grid takes " + extentText(extent) + " voxels, but the format holds " +
+                        extentText(holds) + (fits ? " and at most 2^42 are read" : ""));
   return extent;
 }
 

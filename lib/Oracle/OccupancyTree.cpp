@@ -28,7 +28,7 @@ constexpr unsigned countBits(std::uint64_t bits) {
 }
 
 /// What a range of cells in Morton order is made of.
-struct Range {
+struct CodeRange {
   bool occupied;
   bool mixed;
 };
@@ -38,7 +38,7 @@ class RangeReader {
 public:
   explicit RangeReader(std::span<const std::uint64_t> changes) : changes_(changes) {}
 
-  Range read(std::uint64_t begin, std::uint64_t end) {
+  CodeRange read(std::uint64_t begin, std::uint64_t end) {
     while (next_ < changes_.size() && changes_[next_] <= begin)
       ++next_;
     const bool mixed = next_ < changes_.size() && changes_[next_] < end;
@@ -64,7 +64,7 @@ OccupancyTree::OccupancyTree(std::span<const std::uint64_t> changes, int log2Sid
       Node node{0, 0, first + codes.size() + codesBelow.size()};
       for (unsigned child = 0; child < kChildren; ++child) {
         const std::uint64_t code = codes[i] + child * cells;
-        const Range range = reader.read(code, code + cells);
+        const CodeRange range = reader.read(code, code + cells);
         node.occupied |= std::uint64_t{range.occupied} << child;
         node.mixed |= std::uint64_t{range.mixed} << child;
         if (range.mixed)

@@ -11,7 +11,7 @@
 namespace voxc {
 
 /// "WxHxD".
-inline std::string toText(Int3 extent) {
+inline std::string extentText(Int3 extent) {
   return std::to_string(extent.x) + "x" + std::to_string(extent.y) + "x" + std::to_string(extent.z);
 }
 
@@ -20,7 +20,8 @@ inline Expected<void> checkGridExtent(Int3 extent) {
   constexpr std::int32_t kMaxExtent = 1 << kMaxLog2Extent;
   if (std::min({extent.x, extent.y, extent.z}) >= 1 && std::max({extent.x, extent.y, extent.z}) <= kMaxExtent)
     return {};
-  return Error::input("a grid of " + toText(extent) + " cells is not possible: each axis takes 1 to 2097152");
+  return Error::input("a grid of " + extentText(extent) +
+                      " cells is not possible: each axis takes 1 to 2097152");
 }
 
 /// Cells of a possible extent: at most 2^63.

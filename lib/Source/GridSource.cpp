@@ -49,7 +49,7 @@ Expected<std::unique_ptr<VoxelSource>> loadGridSource(Int3 extent, const std::st
   const std::uint64_t bytes = file->bytes().size();
   if (bytes % 4 != 0 || bytes / 4 != count)
     return Error::input("'" + path + "' has " + std::to_string(bytes) + " bytes, but a grid of " +
-                        toText(extent) + " cells has " + std::to_string(count) + " words of 4 bytes");
+                        extentText(extent) + " cells has " + std::to_string(count) + " words of 4 bytes");
   const std::byte *const words = file->bytes().data();
   using FileRows = WordRows<std::shared_ptr<const WatchedFile>>;
   return makeDenseSource(extent, std::make_shared<FileRows>(extent, std::move(file), words), {},

@@ -22,7 +22,7 @@ constexpr std::uint64_t kSmallestHole = std::uint64_t{64} << 10;
 
 std::string reason() { return std::strerror(errno); }
 
-std::uint64_t wholePages(std::uint64_t bytes) {
+std::uint64_t roundedUp(std::uint64_t bytes) {
   const std::uint64_t page = WorkingMemory::pageBytes();
   return (bytes + page - 1) / page * page;
 }
@@ -102,7 +102,7 @@ std::uint64_t WorkingMemory::scratchPeak() const {
 }
 
 Expected<MemoryBlock> WorkingMemory::reserve(std::uint64_t most) {
-  const std::uint64_t bytes = wholePages(std::max<std::uint64_t>(most, 1));
+  const std::uint64_t bytes = roundedUp(std::max<std::uint64_t>(most, 1));
   std::byte *const address = bytes < most ? nullptr : platform::reserve(bytes);
   if (!address)
     return lackOfAddresses(most);
@@ -120,7 +120,7 @@ Expected<MemoryBlock> WorkingMemory::allocate(std::uint64_t bytes) {
 }
 
 Expected<void> WorkingMemory::extend(MemoryBlock &block, std::uint64_t bytes) {
-  const std::uint64_t size = std::min(wholePages(bytes), block.reserved_ - block.size_);
+  const std::uint64_t size = std::min(roundedUp(bytes), block.reserved_ - block.size_);
   const std::lock_guard lock(state_->mutex);
   if (block.file_ >= 0)
     return addShared(block, size);
@@ -130,7 +130,7 @@ Expected<void> WorkingMemory::extend(MemoryBlock &block, std::uint64_t bytes) {
 
 Expected<void> WorkingMemory::extendInMemory(MemoryBlock &block, std::uint64_t bytes) {
   const std::lock_guard lock(state_->mutex);
-  return addMemory(block, std::min(wholePages(bytes), block.reserved_ - block.size_));
+  return addMemory(block, std::min(roundedUp(bytes), block.reserved_ - block.size_));
 }
 
 Expected<void> WorkingMemory::addMemory(MemoryBlock &block, std::uint64_t bytes) {
@@ -143,7 +143,7 @@ Expected<void> WorkingMemory::addMemory(MemoryBlock &block, std::uint64_t bytes)
 }
 
 Expected<MemoryBlock> WorkingMemory::reserveShared(std::uint64_t most) {
-  const std::uint64_t bytes = wholePages(std::max<std::uint64_t>(most, 1));
+  const std::uint64_t bytes = roundedUp(std::max<std::uint64_t>(most, 1));
   if (bytes < most)
     return lackOfAddresses(most);
   const int shared = platform::openShared(bytes);
@@ -171,7 +171,7 @@ Expected<void> WorkingMemory::addShared(MemoryBlock &block, std::uint64_t bytes)
 }
 
 Expected<MemoryBlock> WorkingMemory::view(const MemoryBlock &block, std::uint64_t bytes) {
-  const std::uint64_t size = wholePages(bytes);
+  const std::uint64_t size = roundedUp(bytes);
   std::byte *const address = platform::viewShared(block.file_, size);
   if (!address)
     return lackOfAddresses(size);

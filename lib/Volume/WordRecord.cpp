@@ -8,10 +8,10 @@ namespace voxc {
 namespace {
 
 constexpr std::string_view kMark = "\nwords=";
-constexpr std::size_t kDigits = 16;
+constexpr std::size_t kHexDigits = 16;
 
 std::string digitsOf(std::uint64_t count) {
-  char digits[kDigits + 1];
+  char digits[kHexDigits + 1];
   std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(count));
   return digits;
 }
@@ -19,13 +19,13 @@ std::string digitsOf(std::uint64_t count) {
 /// "0000000000000010,00000000000001a4": all numbers, or none if it is no such text.
 std::vector<std::uint64_t> numbersIn(std::string_view text) {
   std::vector<std::uint64_t> numbers;
-  for (std::size_t at = 0; at < text.size(); at += kDigits + 1) {
-    const std::string_view digits = text.substr(at, kDigits);
+  for (std::size_t at = 0; at < text.size(); at += kHexDigits + 1) {
+    const std::string_view digits = text.substr(at, kHexDigits);
     std::uint64_t number = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number, 16);
-    const bool isLast = at + kDigits == text.size();
-    if (digits.size() != kDigits || error != std::errc{} || end != digits.data() + kDigits ||
-        !(isLast || (at + kDigits + 1 < text.size() && text[at + kDigits] == ',')))
+    const bool isLast = at + kHexDigits == text.size();
+    if (digits.size() != kHexDigits || error != std::errc{} || end != digits.data() + kHexDigits ||
+        !(isLast || (at + kHexDigits + 1 < text.size() && text[at + kHexDigits] == ',')))
       return {};
     numbers.push_back(number);
   }

@@ -12,7 +12,7 @@ namespace voxc::tool {
 namespace {
 
 constexpr std::size_t kNameColumns = 30;  ///< Where descriptions begin.
-constexpr int kDefaultColumns = 100;      ///< Of help that goes to no terminal.
+constexpr int kPipedColumns = 100;        ///< Of help that goes to no terminal.
 constexpr std::size_t kLeastColumns = 60; ///< A narrower terminal breaks lines itself.
 constexpr std::size_t kMostColumns = 120; ///< Longer lines are hard to read.
 
@@ -42,7 +42,7 @@ public:
 
 private:
   static std::size_t columns() {
-    return std::clamp(std::size_t(terminalColumns(STDOUT_FILENO, kDefaultColumns)), kLeastColumns,
+    return std::clamp(std::size_t(terminalColumns(STDOUT_FILENO, kPipedColumns)), kLeastColumns,
                       kMostColumns);
   }
 

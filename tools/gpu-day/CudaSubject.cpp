@@ -18,7 +18,7 @@ using DevicePointer = unsigned long long;
 using Handle = void *;
 
 constexpr unsigned kBlock = 64; // Threads.
-constexpr std::size_t kFewestRuns = 5;
+constexpr std::size_t kFewestLaunches = 5;
 constexpr int kRegisters = 4, kLocalBytes = 3; // Of CUfunction_attribute.
 
 #define VOXC_CUDA_FUNCTIONS(X)                                                                               \
@@ -117,7 +117,7 @@ tool::Json traceSet(Cuda &cuda, Handle function, DevicePointer words, const Rays
   std::array<void *, 4> arguments = {&words, &rays, &found, &count};
   Times times;
   double warmed = 0, timed = 0;
-  while (cuda.failure().empty() && (timed < seconds || times.totals.size() < kFewestRuns)) {
+  while (cuda.failure().empty() && (timed < seconds || times.totals.size() < kFewestLaunches)) {
     const double one = cuda.launch(function, count, arguments.data());
     if (warmed < seconds / 2) {
       warmed += one;

@@ -12,7 +12,7 @@ namespace voxc::gpu {
 namespace {
 
 constexpr int kMostEdge = 128; // Products of the lattice's numbers fit 31 bits.
-constexpr std::uint32_t kGroup = 64;
+constexpr std::uint32_t kGroupRays = 64;
 constexpr std::uint64_t kBatchRays = std::uint64_t{1} << 21; // In 2^15 groups, which every device takes.
 
 /// The words of all voxels, x fastest.
@@ -111,7 +111,7 @@ Expected<void> Check::makeBuffers(std::span<const std::uint32_t> words) {
 
 Expected<Batch> Check::batch(std::uint64_t number, std::uint32_t seed) const {
   constexpr auto kCount = static_cast<std::uint32_t>(kBatchRays);
-  constexpr std::uint32_t kGroups = kCount / kGroup;
+  constexpr std::uint32_t kGroups = kCount / kGroupRays;
   const std::uint64_t first = number * kBatchRays;
   // Numbers of rays go round after 2^32; another seed draws others.
   const auto seedNow = seed + static_cast<std::uint32_t>(first >> 32) * 0x9e3779b9u;

@@ -209,7 +209,7 @@ Expected<std::uint64_t> sampleBytes(Int3 extent, SampleLayout layout) {
   const std::uint64_t cells = cellsOf(extent);
   constexpr std::uint64_t kMost = std::uint64_t{1} << 59;
   if (cells > kMost)
-    return Error::input("a grid of " + toText(extent) + " samples is larger than any file");
+    return Error::input("a grid of " + extentText(extent) + " samples is larger than any file");
   return cells * byteSize(layout.type);
 }
 

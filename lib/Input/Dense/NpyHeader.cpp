@@ -27,17 +27,17 @@ struct TypeRow {
   SampleType type;
 };
 
-constexpr std::array<TypeRow, 11> kTypes{{{"b1", SampleType::Uint8},
-                                          {"i1", SampleType::Int8},
-                                          {"u1", SampleType::Uint8},
-                                          {"i2", SampleType::Int16},
-                                          {"u2", SampleType::Uint16},
-                                          {"i4", SampleType::Int32},
-                                          {"u4", SampleType::Uint32},
-                                          {"i8", SampleType::Int64},
-                                          {"u8", SampleType::Uint64},
-                                          {"f4", SampleType::Float32},
-                                          {"f8", SampleType::Float64}}};
+constexpr std::array<TypeRow, 11> kNumpyTypes{{{"b1", SampleType::Uint8},
+                                               {"i1", SampleType::Int8},
+                                               {"u1", SampleType::Uint8},
+                                               {"i2", SampleType::Int16},
+                                               {"u2", SampleType::Uint16},
+                                               {"i4", SampleType::Int32},
+                                               {"u4", SampleType::Uint32},
+                                               {"i8", SampleType::Int64},
+                                               {"u8", SampleType::Uint64},
+                                               {"f4", SampleType::Float32},
+                                               {"f8", SampleType::Float64}}};
 
 /// A type such as '<f4', in quotation marks.
 Expected<void> readType(std::string_view value, NpyHeader &header) {
@@ -45,7 +45,7 @@ Expected<void> readType(std::string_view value, NpyHeader &header) {
       value.starts_with('\'') ? value.substr(1, value.find('\'', 1) - 1) : value.substr(0, 16);
   const bool hasOrder = !word.empty() && std::string_view("<>|=").find(word[0]) != std::string_view::npos;
   const std::string_view name = word.substr(hasOrder ? 1 : 0);
-  for (const TypeRow &row : kTypes)
+  for (const TypeRow &row : kNumpyTypes)
     if (row.name == name) {
       header.layout = {row.type, word[0] == '>'};
       header.isBool = name == "b1";

@@ -2,6 +2,7 @@
 #include "Input/Dense/NrrdAxes.h"
 
 #include "Input/Dense/DenseVolume.h"
+#include "Source/GridExtent.h"
 
 #include <algorithm>
 
@@ -117,10 +118,9 @@ bool placeAxes(const NrrdFields &fields, const Axes &axes, bool picksVolume, Nrr
 
 void tellOthers(const NrrdFields &fields, const Axes &axes, NrrdHeader &header) {
   if (axes.isGuessed())
-    header.notes.push_back(
-        "its field kinds does not say which of its " + std::to_string(fields.sizes.size()) +
-        " axes are those of space; the volume is taken as " + std::to_string(header.extent.x) + "x" +
-        std::to_string(header.extent.y) + "x" + std::to_string(header.extent.z));
+    header.notes.push_back("its field kinds does not say which of its " +
+                           std::to_string(fields.sizes.size()) +
+                           " axes are those of space; the volume is taken as " + extentText(header.extent));
   if (header.channels > 1)
     header.notes.push_back("an axis of " + std::to_string(header.channels) +
                            " is taken for the channels of colours (--volume 1 takes the first alone)");

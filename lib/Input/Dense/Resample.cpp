@@ -21,7 +21,7 @@ namespace {
 constexpr double kRounding = 0x1p-24;
 
 /// Where the cubes lie along an axis, in samples.
-struct Axis {
+struct SampledAxis {
   std::int32_t samples = 0;
   double origin = 0; ///< Of the first cube; at most 0.
   double side = 1;
@@ -39,14 +39,14 @@ struct Taps {
 };
 
 /// The sample at the middle; none beside the volume.
-Taps nearest(const Axis &axis, std::int32_t cube) {
+Taps nearest(const SampledAxis &axis, std::int32_t cube) {
   const double middle = axis.origin + (cube + 0.5) * axis.side;
   if (middle < 0 || middle >= axis.samples)
     return {};
   return {static_cast<std::int32_t>(middle), {1}};
 }
 
-Taps tapsOf(const Axis &axis, std::int32_t cube) {
+Taps tapsOf(const SampledAxis &axis, std::int32_t cube) {
   const double low = axis.origin + cube * axis.side, high = low + axis.side;
   Taps taps;
   if (axis.side >= 1) {
@@ -69,7 +69,7 @@ Taps tapsOf(const Axis &axis, std::int32_t cube) {
 /// The words at the middles of cubes.
 class NearestRows final : public DenseRows {
 public:
-  NearestRows(std::shared_ptr<const DenseRows> rows, const std::array<Axis, 3> &axes)
+  NearestRows(std::shared_ptr<const DenseRows> rows, const std::array<SampledAxis, 3> &axes)
       : rows_(std::move(rows)), axes_(axes) {}
 
   void read(Int3 first, std::int32_t count, std::uint32_t *words) const override {
@@ -92,13 +92,13 @@ public:
 
 private:
   std::shared_ptr<const DenseRows> rows_;
-  std::array<Axis, 3> axes_;
+  std::array<SampledAxis, 3> axes_;
 };
 
 /// The words of means of samples, and of what lies between them. What is no number counts for nothing.
 class MeanRows final : public DenseRows {
 public:
-  MeanRows(DenseVolume volume, const SampleMap &map, const std::array<Axis, 3> &axes)
+  MeanRows(DenseVolume volume, const SampleMap &map, const std::array<SampledAxis, 3> &axes)
       : volume_(std::move(volume)), map_(map), axes_(axes), steps_(stepsOf(volume_)) {}
 
   void read(Int3 first, std::int32_t count, std::uint32_t *words) const override {
@@ -157,20 +157,21 @@ private:
 
   DenseVolume volume_;
   SampleMap map_;
-  std::array<Axis, 3> axes_;
+  std::array<SampledAxis, 3> axes_;
   std::array<std::int64_t, 3> steps_;
 };
 
 /// Where cubes of a side lie in the samples.
-Expected<std::array<Axis, 3>> axesOf(const DenseVolume &volume, double side, const InputOptions &options) {
+Expected<std::array<SampledAxis, 3>> axesOf(const DenseVolume &volume, double side,
+                                            const InputOptions &options) {
   const std::array<double, 3> spacing = stepLengths(volume.sampleToModel);
   glm::dvec3 point(0);
   if (options.align)
     point = glm::dvec3(glm::inverse(glm::dmat4(volume.sampleToModel)) *
                        glm::dvec4((*options.align)[0], (*options.align)[1], (*options.align)[2], 1));
-  std::array<Axis, 3> axes;
+  std::array<SampledAxis, 3> axes;
   for (int i = 0; i < 3; ++i) {
-    Axis &axis = axes[static_cast<std::size_t>(i)];
+    SampledAxis &axis = axes[static_cast<std::size_t>(i)];
     axis.samples = volume.extent[i];
     axis.side = side / spacing[static_cast<std::size_t>(i)];
     if (!(axis.side > 0) || !std::isfinite(axis.side) || !std::isfinite(point[i]))
@@ -201,8 +202,8 @@ Expected<Resampled> resample(DenseVolume volume, const SampleMap &map, double si
     std::swap(holds.y, holds.z);
   VOXC_TRY(checkGridExtent(made.extent));
   if (made.extent.x > holds.x || made.extent.y > holds.y || made.extent.z > holds.z)
-    return Error::input("with voxels of side " + toText(side) + " it takes " + toText(made.extent) +
-                        " voxels, but the format holds " + toText(holds) +
+    return Error::input("with voxels of side " + toText(side) + " it takes " + extentText(made.extent) +
+                        " voxels, but the format holds " + extentText(holds) +
                         "; make the voxels larger or the format");
   made.voxelToModel = volume.sampleToModel;
   for (int axis = 0; axis < 3; ++axis) {

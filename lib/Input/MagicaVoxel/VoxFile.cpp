@@ -46,14 +46,14 @@ std::int32_t takeInteger(std::string_view &text) {
 }
 
 /// One frame of a transform.
-struct Frame {
+struct VoxFrame {
   std::int32_t time = 0;
   unsigned rotation = 4; ///< No rotation.
   Long3 translation{};
 };
 
-Frame readFrame(VoxCursor &cursor) {
-  Frame frame;
+VoxFrame readFrame(VoxCursor &cursor) {
+  VoxFrame frame;
   readDictionary(cursor, [&](std::string_view key, std::string_view value) {
     if (key == "_f")
       frame.time = takeInteger(value);
@@ -139,10 +139,10 @@ Expected<void> readTransform(VoxCursor &cursor, Reading &reading) {
   node.children = {cursor.word()};
   cursor.word();
   node.layer = static_cast<std::int32_t>(cursor.word());
-  Frame chosen;
+  VoxFrame chosen;
   KeyChoice choice(reading);
   for (std::uint32_t frames = cursor.count(4); frames > 0 && !cursor.failed(); --frames)
-    if (const Frame frame = readFrame(cursor); choice.takes(frame.time))
+    if (const VoxFrame frame = readFrame(cursor); choice.takes(frame.time))
       chosen = frame;
   const auto placement = Placement::fromByte(chosen.rotation);
   if (!placement)
@@ -175,7 +175,7 @@ Expected<void> readShape(VoxCursor &cursor, Reading &reading) {
   KeyChoice choice(reading);
   for (std::uint32_t i = 0; i < models && !cursor.failed(); ++i) {
     const std::uint32_t model = cursor.word();
-    if (const Frame frame = readFrame(cursor); choice.takes(frame.time))
+    if (const VoxFrame frame = readFrame(cursor); choice.takes(frame.time))
       node.model = model;
   }
   return addNode(reading.file, number, std::move(node));

@@ -20,7 +20,7 @@ template <typename T> T load(const std::byte *at) {
 }
 
 /// How a level of inner nodes lies.
-struct LevelShape {
+struct NodeLevel {
   int log2Child;
   int log2Children;
   std::uint32_t bytes;
@@ -43,7 +43,7 @@ struct LevelShape {
   }
 };
 
-template <typename Node> constexpr LevelShape shapeOf(int log2Child, int log2Children) {
+template <typename Node> constexpr NodeLevel shapeOf(int log2Child, int log2Children) {
   return {log2Child,
           log2Children,
           sizeof(Node),
@@ -52,17 +52,17 @@ template <typename Node> constexpr LevelShape shapeOf(int log2Child, int log2Chi
           offsetof(Node, table)};
 }
 
-constexpr LevelShape kUpperShape =
+constexpr NodeLevel kUpperShape =
     shapeOf<nanovdb::Upper>(nanovdb::kLog2Lower, nanovdb::kLog2Upper - nanovdb::kLog2Lower);
-constexpr LevelShape kLowerShape =
+constexpr NodeLevel kLowerShape =
     shapeOf<nanovdb::Lower>(nanovdb::kLog2Leaf, nanovdb::kLog2Lower - nanovdb::kLog2Leaf);
 
 /// The child of a node, which was checked.
-const std::byte *childOf(const LevelShape &shape, const std::byte *node, std::uint32_t slot) {
+const std::byte *childOf(const NodeLevel &shape, const std::byte *node, std::uint32_t slot) {
   return node + load<std::int64_t>(shape.entry(node, slot));
 }
 
-std::uint32_t slotOf(const LevelShape &shape, Int3 cell) {
+std::uint32_t slotOf(const NodeLevel &shape, Int3 cell) {
   return nanovdb::childOf(cell, shape.log2Child, shape.log2Children);
 }
 
@@ -251,7 +251,7 @@ NanoVdbGrid::Place NanoVdbGrid::find(Int3 cell) const {
   if (!entry->upper)
     return {nullptr, nanovdb::kLog2Upper, entry->value, entry->isActive};
   const std::byte *node = entry->upper;
-  for (const LevelShape *shape : {&kUpperShape, &kLowerShape}) {
+  for (const NodeLevel *shape : {&kUpperShape, &kLowerShape}) {
     const std::uint32_t slot = slotOf(*shape, cell);
     if (!shape->bit(node, shape->isChild, slot))
       return {nullptr, shape->log2Child, kind_->read(shape->entry(node, slot)),

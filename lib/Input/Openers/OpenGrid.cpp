@@ -22,7 +22,7 @@ Expected<Input> openGrid(const std::string &text, const InputOptions &options) {
   Input input;
   input.source = std::move(source);
   input.loadSeconds = loading.seconds();
-  input.provenance = "grid=" + toText(*extent);
+  input.provenance = "grid=" + extentText(*extent);
   return input;
 }
 

@@ -182,7 +182,7 @@ Expected<Input> openScene(const SceneParts &parts, const InputOptions &options) 
   const Int3 extent = placed.extent();
   const Int3 holds = options.mostExtent();
   if (extent.x > holds.x || extent.y > holds.y || extent.z > holds.z)
-    return Error::usage("takes " + toText(extent) + " voxels, but the format holds " + toText(holds) +
+    return Error::usage("takes " + extentText(extent) + " voxels, but the format holds " + extentText(holds) +
                         "; enlarge the format");
   if (placed.count() > kMostPlaced)
     return Error::input("its scene places " + std::to_string(placed.count()) + " voxels; there may be " +

@@ -79,7 +79,7 @@ Expected<Input> openScene(BlockScene scene, const InputOptions &options) {
     size[axis] = box.high[axis] - box.low[axis];
   if (size[0] > holds.x || size[1] > holds.y || size[2] > holds.z)
     return Error::usage("takes " + std::to_string(size[0]) + "x" + std::to_string(size[1]) + "x" +
-                        std::to_string(size[2]) + " voxels, but the format holds " + toText(holds) +
+                        std::to_string(size[2]) + " voxels, but the format holds " + extentText(holds) +
                         "; enlarge the format");
   const Int3 extent{static_cast<std::int32_t>(size[0]), static_cast<std::int32_t>(size[1]),
                     static_cast<std::int32_t>(size[2])};

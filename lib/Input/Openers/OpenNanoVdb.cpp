@@ -73,8 +73,8 @@ Expected<Int3> extentOf(const NanoVdbGrid &grid, const InputOptions &options) {
   const bool fits = extent.x <= holds.x && extent.y <= holds.y && extent.z <= holds.z;
   // What is empty is kept in a bit for each 512 cells.
   if (!fits || cellsOf(extent) > std::uint64_t{1} << 40)
-    return Error::input("its grid takes " + toText(extent) + " voxels, but the format holds " +
-                        toText(holds) + (fits ? " and at most 2^40 are read" : ""));
+    return Error::input("its grid takes " + extentText(extent) + " voxels, but the format holds " +
+                        extentText(holds) + (fits ? " and at most 2^40 are read" : ""));
   return extent;
 }
 

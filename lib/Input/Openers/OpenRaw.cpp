@@ -19,7 +19,7 @@ Expected<DenseVolume> readVolume(const std::string &path, Int3 extent, SampleLay
   const std::uint64_t bytes = file->bytes().size();
   if (bytes != size)
     return Error::input("'" + path + "' has " + std::to_string(bytes) + " bytes, but a grid of " +
-                        toText(extent) + " such samples has " + std::to_string(size));
+                        extentText(extent) + " such samples has " + std::to_string(size));
   DenseVolume volume;
   volume.extent = extent;
   volume.layout = layout;

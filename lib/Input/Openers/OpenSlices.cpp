@@ -36,7 +36,7 @@ private:
   std::shared_ptr<const ScratchCells> cells_;
 };
 
-struct Stack {
+struct SliceStack {
   Slice slice;
   Int3 extent;
   std::shared_ptr<const ScratchCells> cells;
@@ -45,7 +45,7 @@ struct Stack {
 };
 
 /// Where the samples are in the units of the file.
-Transform mapOf(const Stack &stack) {
+Transform mapOf(const SliceStack &stack) {
   Transform map;
   for (int axis = 0; stack.spacing && axis < 3; ++axis)
     map[axis][axis] = stack.spacing->steps[static_cast<std::size_t>(axis)];
@@ -56,12 +56,12 @@ Expected<void> checkExtent(Int3 extent, const InputOptions &options) {
   VOXC_TRY(checkGridExtent(extent));
   const Int3 holds = options.mostExtent();
   if (extent.x > holds.x || extent.y > holds.y || extent.z > holds.z)
-    return Error::input("takes " + toText(extent) + " voxels, but the format holds " + toText(holds));
+    return Error::input("takes " + extentText(extent) + " voxels, but the format holds " + extentText(holds));
   return {};
 }
 
 /// Appends the next picture of a file to a stack.
-Expected<void> append(const Slice &slice, SliceReader &reader, const InputOptions &options, Stack &stack,
+Expected<void> append(const Slice &slice, SliceReader &reader, const InputOptions &options, SliceStack &stack,
                       ScratchCells &cells) {
   if (stack.extent.z == 0)
     stack.slice = slice;
@@ -77,7 +77,7 @@ Expected<void> append(const Slice &slice, SliceReader &reader, const InputOption
 }
 
 /// Appends all pictures of a file.
-Expected<void> appendFile(const std::string &path, const InputOptions &options, Stack &stack,
+Expected<void> appendFile(const std::string &path, const InputOptions &options, SliceStack &stack,
                           ScratchCells &cells) {
   auto file = VOXC_TRY(WatchedFile::open(path, options.memory));
   const auto reader = VOXC_TRY(usable(
@@ -99,8 +99,8 @@ Expected<void> appendFile(const std::string &path, const InputOptions &options, 
   return {};
 }
 
-Expected<Stack> readStack(const std::vector<std::string> &paths, const InputOptions &options) {
-  Stack stack;
+Expected<SliceStack> readStack(const std::vector<std::string> &paths, const InputOptions &options) {
+  SliceStack stack;
   ScratchCells cells(options.memory);
   for (const std::string &path : paths) {
     VOXC_TRY(options.progress.check());
@@ -125,7 +125,7 @@ Expected<void> checkOptions(const InputOptions &options) {
                : Expected<void>();
 }
 
-Expected<Input> openWords(const Stack &stack, const InputOptions &options) {
+Expected<Input> openWords(const SliceStack &stack, const InputOptions &options) {
   VOXC_TRY(checkOptions(options));
   Input input;
   if (options.describe)
@@ -137,7 +137,7 @@ Expected<Input> openWords(const Stack &stack, const InputOptions &options) {
   return input;
 }
 
-Expected<Input> openSamples(const Stack &stack, const InputOptions &options) {
+Expected<Input> openSamples(const SliceStack &stack, const InputOptions &options) {
   DenseVolume volume;
   volume.extent = stack.extent;
   volume.layout = {stack.slice.type, std::endian::native == std::endian::big};

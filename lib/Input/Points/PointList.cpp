@@ -14,7 +14,7 @@ namespace voxc {
 namespace {
 
 constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
-constexpr std::uint64_t kRowsBetweenLooks = 1 << 12;
+constexpr std::uint64_t kPointsBetweenLooks = 1 << 12;
 
 /// What points of PLY files have in common.
 class PlyPoints : public PointList {
@@ -152,7 +152,7 @@ public:
   Expected<void> look(const Progress &progress) {
     PlyRow row;
     for (std::uint64_t i = 0; colour_.colour().needsLook() && i < vertices_.count; ++i) {
-      if (i % kRowsBetweenLooks == 0 && progress.stopped())
+      if (i % kPointsBetweenLooks == 0 && progress.stopped())
         return Error::interrupted();
       load(table_.rows + i * table_.stride, row);
       colour_.colour().look(row);
@@ -203,7 +203,7 @@ public:
 
   Expected<void> fill(PlyReader &reader, const Progress &progress) {
     const auto pause = [&](std::uint64_t number) -> Expected<void> {
-      if (number % kRowsBetweenLooks != 0)
+      if (number % kPointsBetweenLooks != 0)
         return {};
       memory_->relieve();
       return progress.stopped() ? Expected<void>(Error::interrupted()) : Expected<void>();

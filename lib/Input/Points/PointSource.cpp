@@ -66,7 +66,7 @@ public:
     auto passed = pass([&](const PlyPoint &point, std::uint64_t number) {
       if (!isInside(point.position, options_.mostExtent())) {
         problem = broken_("point " + std::to_string(number) + " is the voxel " + listed(point.position) +
-                          ", but the format holds only " + toText(options_.mostExtent()));
+                          ", but the format holds only " + extentText(options_.mostExtent()));
         return false;
       }
       const Int3 voxel = cellAt(point.position);

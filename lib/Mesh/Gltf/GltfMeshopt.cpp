@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint64_t kMostAByte = 256;
 constexpr std::uint64_t kFewBytes = 1 << 12;
 
-struct Layout {
+struct BufferShape {
   std::uint64_t count = 0;
   std::uint64_t stride = 0;
 
@@ -25,31 +25,31 @@ struct Layout {
 
 struct Mode {
   std::string_view name;
-  bool (*fits)(const Layout &layout);
-  int (*decode)(void *target, const Layout &layout, std::span<const std::byte> bytes);
+  bool (*fits)(const BufferShape &shape);
+  int (*decode)(void *target, const BufferShape &shape, std::span<const std::byte> bytes);
 };
 
 const unsigned char *dataOf(std::span<const std::byte> bytes) {
   return reinterpret_cast<const unsigned char *>(bytes.data());
 }
 
-bool fitsVertices(const Layout &layout) {
-  return layout.stride % 4 == 0 && layout.stride >= 4 && layout.stride <= 256;
+bool fitsVertices(const BufferShape &shape) {
+  return shape.stride % 4 == 0 && shape.stride >= 4 && shape.stride <= 256;
 }
-bool fitsIndices(const Layout &layout) { return layout.stride == 2 || layout.stride == 4; }
-bool fitsTriangles(const Layout &layout) { return fitsIndices(layout) && layout.count % 3 == 0; }
+bool fitsIndices(const BufferShape &shape) { return shape.stride == 2 || shape.stride == 4; }
+bool fitsTriangles(const BufferShape &shape) { return fitsIndices(shape) && shape.count % 3 == 0; }
 
 constexpr std::array<Mode, 3> kModes{
     {{"ATTRIBUTES", fitsVertices,
-      [](void *target, const Layout &layout, std::span<const std::byte> bytes) {
-        return meshopt_decodeVertexBuffer(target, layout.count, layout.stride, dataOf(bytes), bytes.size());
+      [](void *target, const BufferShape &shape, std::span<const std::byte> bytes) {
+        return meshopt_decodeVertexBuffer(target, shape.count, shape.stride, dataOf(bytes), bytes.size());
       }},
      {"TRIANGLES", fitsTriangles,
-      [](void *target, const Layout &layout, std::span<const std::byte> bytes) {
-        return meshopt_decodeIndexBuffer(target, layout.count, layout.stride, dataOf(bytes), bytes.size());
+      [](void *target, const BufferShape &shape, std::span<const std::byte> bytes) {
+        return meshopt_decodeIndexBuffer(target, shape.count, shape.stride, dataOf(bytes), bytes.size());
       }},
-     {"INDICES", fitsIndices, [](void *target, const Layout &layout, std::span<const std::byte> bytes) {
-        return meshopt_decodeIndexSequence(target, layout.count, layout.stride, dataOf(bytes), bytes.size());
+     {"INDICES", fitsIndices, [](void *target, const BufferShape &shape, std::span<const std::byte> bytes) {
+        return meshopt_decodeIndexSequence(target, shape.count, shape.stride, dataOf(bytes), bytes.size());
       }}}};
 
 struct Filter {
@@ -64,7 +64,7 @@ constexpr std::array<Filter, 4> kFilters{
      {"QUATERNION", [](std::uint64_t stride) { return stride == 8; }, meshopt_decodeFilterQuat},
      {"EXPONENTIAL", [](std::uint64_t stride) { return stride % 4 == 0; }, meshopt_decodeFilterExp}}};
 
-Layout layoutOf(const GltfObject &meshopt) {
+BufferShape shapeOfBuffer(const GltfObject &meshopt) {
   constexpr std::uint64_t kMost = 0xffffffff;
   return {std::min(meshopt.count("count").value_or(0), kMost),
           std::min(meshopt.count("byteStride").value_or(0), std::uint64_t{256})};
@@ -78,7 +78,7 @@ GltfObject meshoptOf(const GltfObject &view) {
 }
 
 std::uint64_t meshoptBytes(const GltfObject &meshopt, std::uint64_t compressed) {
-  const std::uint64_t bytes = layoutOf(meshopt).bytes();
+  const std::uint64_t bytes = shapeOfBuffer(meshopt).bytes();
   if (bytes <= kFewBytes + kMostAByte * compressed)
     return bytes;
   meshopt.problem("claims " + std::to_string(bytes) + " bytes, more than its " + std::to_string(compressed) +
@@ -90,12 +90,11 @@ std::shared_ptr<const ScratchArray<std::byte>> decodeMeshopt(const GltfObject &m
                                                              std::span<const std::byte> compressed,
                                                              const std::shared_ptr<WorkingMemory> &memory,
                                                              Problem &problem) {
-  const Layout layout = layoutOf(meshopt);
+  const BufferShape shape = shapeOfBuffer(meshopt);
   const std::string_view filterName = meshopt.has("filter") ? meshopt.text("filter") : "NONE";
   const auto *mode = std::ranges::find(kModes, meshopt.text("mode"), &Mode::name);
   const auto *filter = std::ranges::find(kFilters, filterName, &Filter::name);
-  if (mode == kModes.end() || filter == kFilters.end() || !mode->fits(layout) ||
-      !filter->fits(layout.stride)) {
+  if (mode == kModes.end() || filter == kFilters.end() || !mode->fits(shape) || !filter->fits(shape.stride)) {
     meshopt.problem("has a mode, a filter or a byteStride that is not known, or that do not go together");
     return nullptr;
   }
@@ -105,12 +104,12 @@ std::shared_ptr<const ScratchArray<std::byte>> decodeMeshopt(const GltfObject &m
     problem.set(resized.error());
     return nullptr;
   }
-  if (bytes != 0 && mode->decode(target.data(), layout, compressed) != 0) {
+  if (bytes != 0 && mode->decode(target.data(), shape, compressed) != 0) {
     meshopt.problem("has compressed bytes that are broken");
     return nullptr;
   }
   if (bytes != 0)
-    filter->apply(target.data(), layout.count, layout.stride);
+    filter->apply(target.data(), shape.count, shape.stride);
   return std::make_shared<const ScratchArray<std::byte>>(std::move(target));
 }
 

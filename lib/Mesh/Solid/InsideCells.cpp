@@ -9,7 +9,7 @@ namespace voxc {
 namespace {
 
 constexpr std::uint64_t kFewCodes = 1 << 20; ///< Fewer are not worth sorting.
-constexpr std::uint64_t kMostCells = 1 << 21;
+constexpr std::uint64_t kCellsAtOnce = 1 << 21;
 constexpr std::uint64_t kBetweenLooks = 64;
 
 Expected<void> sortOut(ScratchArray<std::uint64_t> &codes) {
@@ -84,7 +84,7 @@ Expected<void> keepInside(ScratchArray<BrickCells> &bricks, const ClosedMesh &me
   for (std::uint64_t end = 0; end < bricks.size();) {
     const std::uint64_t begin = end;
     VOXC_TRY(cells.resize(0));
-    for (; end < bricks.size() && cells.size() < kMostCells; ++end)
+    for (; end < bricks.size() && cells.size() < kCellsAtOnce; ++end)
       VOXC_TRY(moveCells(bricks[end], cells));
     if (auto counted = countCrossings(*mesh.scene, mesh.model, cells, *memory, progress, mesh.roles());
         !counted)

@@ -11,7 +11,7 @@ namespace voxc {
 
 namespace {
 
-using Loops = std::vector<std::vector<LoopEdge>>;
+using LoopList = std::vector<std::vector<LoopEdge>>;
 
 constexpr std::uint64_t kMostEdges = 1 << 20;
 constexpr std::size_t kMostChoices = 16; ///< At a corner, among which the next edge is chosen.
@@ -31,7 +31,7 @@ public:
   }
 
   /// False if the way ends where no edge leads on.
-  bool run(Loops &loops) {
+  bool run(LoopList &loops) {
     for (std::size_t i = 0; i < edges_.size(); ++i)
       while (!edges_[i].isUsed)
         if (!followFrom(edges_[i].corners[0], loops))
@@ -77,7 +77,7 @@ private:
     return step.isTurned ? LoopEdge{points[1], points[0]} : LoopEdge{points[0], points[1]};
   }
 
-  bool followFrom(std::size_t first, Loops &loops) {
+  bool followFrom(std::size_t first, LoopList &loops) {
     std::size_t corner = first;
     placeOnWay_[first] = 0;
     do {
@@ -97,7 +97,7 @@ private:
   }
 
   /// What was walked since a place on the way.
-  void takeLoop(std::size_t place, Loops &loops) {
+  void takeLoop(std::size_t place, LoopList &loops) {
     std::vector<LoopEdge> &loop = loops.emplace_back();
     for (std::size_t i = place; i < way_.size(); ++i) {
       loop.push_back(passed(way_[i]));
@@ -145,11 +145,11 @@ private:
 
 } // namespace
 
-Loops loopsOf(std::span<const RimEdge> rims, bool isEither) {
+LoopList loopsOf(std::span<const RimEdge> rims, bool isEither) {
   std::uint64_t count = 0;
   for (const RimEdge &rim : rims)
     count += static_cast<std::uint64_t>(std::abs(isEither ? rim.times % 2 : rim.times));
-  Loops loops;
+  LoopList loops;
   if (count >= kMostEdges || !Walk(rims, isEither).run(loops))
     loops.clear();
   return loops;

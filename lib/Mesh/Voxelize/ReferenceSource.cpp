@@ -30,17 +30,17 @@ Wide3 difference(const Point64 &a, const Point64 &b) { return {a[0] - b[0], a[1]
 
 /// A direction along which a triangle and a box with the axes of space may be apart, and from where to where
 /// the triangle reaches along it.
-struct Axis {
+struct SeparatingAxis {
   Wide3 direction;
   Wide low;
   Wide high;
 };
 
 /// All such directions.
-std::vector<Axis> separatingAxes(const SnappedTriangle &triangle) {
+std::vector<SeparatingAxis> separatingAxes(const SnappedTriangle &triangle) {
   const std::array<Wide3, 3> units{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   const auto &[a, b, c] = triangle.corners;
-  std::vector<Axis> axes;
+  std::vector<SeparatingAxis> axes;
   const auto add = [&](const Wide3 &direction) {
     const std::array<Wide, 3> shadows{dot(direction, difference(a, {})), dot(direction, difference(b, {})),
                                       dot(direction, difference(c, {}))};
@@ -57,8 +57,8 @@ std::vector<Axis> separatingAxes(const SnappedTriangle &triangle) {
 }
 
 /// Have the triangle of these axes and the closed box a point in common?
-bool touches(const std::vector<Axis> &axes, const Point64 &centre, const Point64 &half) {
-  return std::ranges::all_of(axes, [&](const Axis &axis) {
+bool touches(const std::vector<SeparatingAxis> &axes, const Point64 &centre, const Point64 &half) {
+  return std::ranges::all_of(axes, [&](const SeparatingAxis &axis) {
     const Wide3 &direction = axis.direction;
     Wide reach = 0;
     for (std::size_t i = 0; i < 3; ++i)
@@ -85,7 +85,7 @@ public:
     cursor_.moveTo(number);
     colour_.moveTo(cursor_);
     const SnappedTriangle triangle = model_.snapped(cursor_);
-    const std::vector<Axis> axes = separatingAxes(triangle);
+    const std::vector<SeparatingAxis> axes = separatingAxes(triangle);
     corners_ = model_.inVoxels(triangle);
     const NearestPoints nearest(corners_);
     isFiner_ = colour_.measure(nearest);
@@ -125,7 +125,7 @@ private:
     return {low, high};
   }
 
-  bool isTaken(const SnappedTriangle &triangle, const std::vector<Axis> &axes, Int3 voxel) const {
+  bool isTaken(const SnappedTriangle &triangle, const std::vector<SeparatingAxis> &axes, Int3 voxel) const {
     Point64 centre;
     for (int axis = 0; axis < 3; ++axis)
       centre[static_cast<std::size_t>(axis)] = voxel[axis] * side_ + side_ / 2;
@@ -137,8 +137,8 @@ private:
 
   /// By the rule `Inner`: is the segment along an axis, which the triangle meets, met in an end that belongs
   /// to the next voxel, or not to be looked at?
-  bool isLeftOut(const SnappedTriangle &triangle, const std::vector<Axis> &axes, std::size_t axis, Int3 voxel,
-                 const Point64 &centre) const {
+  bool isLeftOut(const SnappedTriangle &triangle, const std::vector<SeparatingAxis> &axes, std::size_t axis,
+                 Int3 voxel, const Point64 &centre) const {
     const Wide3 &normal = axes[3].direction;
     const bool isThin = normal == Wide3{};
     const Point64 low{triangle.low(0), triangle.low(1), triangle.low(2)};

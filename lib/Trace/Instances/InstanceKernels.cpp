@@ -17,7 +17,7 @@ namespace {
 constexpr std::span<const std::uint32_t> kModules[kInstanceKernels] = {select_spirv, start_spirv,
                                                                        gather_spirv, advance_spirv};
 
-constexpr VkSpecializationMapEntry kConstantEntries[] = {
+constexpr VkSpecializationMapEntry kInstanceConstants[] = {
     {0, offsetof(InstanceConstants, raysHaveBounds), sizeof(VkBool32)},
     {1, offsetof(InstanceConstants, loopsAreCut), sizeof(VkBool32)},
     {2, offsetof(InstanceConstants, stack), sizeof(std::uint32_t)},
@@ -32,8 +32,8 @@ Expected<InstanceKernels> InstanceKernels::create(const Device::State &device,
   std::array<VkDescriptorType, 4> bindings;
   bindings.fill(VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
   kernels.layout_ = VOXC_TRY(ComputeLayout::create(device, bindings, sizeof(InstanceRound)));
-  const VkSpecializationInfo specialization{std::size(kConstantEntries), kConstantEntries, sizeof constants,
-                                            &constants};
+  const VkSpecializationInfo specialization{std::size(kInstanceConstants), kInstanceConstants,
+                                            sizeof constants, &constants};
   for (std::size_t kernel = 0; kernel < kInstanceKernels; ++kernel) {
     auto module = VOXC_TRY(createModule(device, kModules[kernel]));
     kernels.pipelines_[kernel] =

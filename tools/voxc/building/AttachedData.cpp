@@ -20,8 +20,8 @@ namespace voxc::tool {
 
 namespace {
 
-constexpr int kLog2Block = 3; // The largest cube that a source reads at once.
-constexpr std::size_t kBlockVoxels = std::size_t{1} << (3 * kLog2Block);
+constexpr int kLog2Cube = 3; // The largest cube that a source reads at once.
+constexpr std::size_t kCubeVoxels = std::size_t{1} << (3 * kLog2Cube);
 
 /// "NAME=REST", or none.
 std::optional<std::pair<std::string, std::string>> named(const std::string &text) {
@@ -40,9 +40,9 @@ public:
   /// Errors: the input's.
   Expected<void> read(Int3 voxel, std::uint64_t number) {
     const std::uint64_t code = mortonCode(voxel);
-    if (code >> (3 * kLog2Block) != block_)
-      VOXC_TRY(readBlock(code >> (3 * kLog2Block)));
-    std::memcpy(&elements_[number * sizeof(std::uint32_t)], &words_[code % kBlockVoxels],
+    if (code >> (3 * kLog2Cube) != block_)
+      VOXC_TRY(readBlock(code >> (3 * kLog2Cube)));
+    std::memcpy(&elements_[number * sizeof(std::uint32_t)], &words_[code % kCubeVoxels],
                 sizeof(std::uint32_t));
     return {};
   }
@@ -51,7 +51,7 @@ public:
 
 private:
   Expected<void> readBlock(std::uint64_t block) {
-    const Cube cube{mortonCell(block << (3 * kLog2Block)), kLog2Block};
+    const Cube cube{mortonCell(block << (3 * kLog2Cube)), kLog2Cube};
     words_.fill(0);
     if (!input_.empty(cube))
       VOXC_TRY(input_.read(cube, words_.data()));
@@ -61,7 +61,7 @@ private:
 
   VoxelSource &input_;
   std::uint64_t block_ = std::numeric_limits<std::uint64_t>::max();
-  std::array<std::uint32_t, kBlockVoxels> words_{};
+  std::array<std::uint32_t, kCubeVoxels> words_{};
   std::vector<std::byte> elements_;
 };
 
