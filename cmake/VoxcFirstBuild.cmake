@@ -21,8 +21,8 @@ function(voxc_precompile target)
   else()
     target_precompile_headers(${target} PRIVATE ${VOXC_STANDARD_HEADERS} ${ARGN})
   endif()
-  # GCC forgets which of them are the system's, and warns of more of its bug 105651 there.
-  target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
+  # GCC forgets which of them are the system's, and warns of more of its bugs there, such as 105651.
+  target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-maybe-uninitialized -Wno-stringop-overflow -Wno-stringop-overread)
   # It would clean up its memory several times a file; half a gigabyte holds any of them, and it takes a tenth of its time less.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${target} PRIVATE --param=ggc-min-heapsize=524288)
