@@ -160,7 +160,7 @@ std::optional<BuildPlan> parseBody(std::string_view body) {
 
 } // namespace
 
-Expected<std::string> contentDigest(const std::string &path) {
+Expected<std::string> fileDigest(const std::string &path) {
   TextDigest digest;
   VOXC_TRY(digest.addFile(path));
   return digest.hex();
@@ -168,7 +168,7 @@ Expected<std::string> contentDigest(const std::string &path) {
 
 Expected<void> checkInput(const BuildPlan &plan) {
   for (const InputFile &file : plan.files) {
-    const auto digest = VOXC_TRY(contentDigest(file.path));
+    const auto digest = VOXC_TRY(fileDigest(file.path));
     if (digest != file.digest)
       return Error::input("'" + file.path +
                           "' is not what it was when the plan was made; make the plan again");

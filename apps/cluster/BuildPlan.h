@@ -57,7 +57,7 @@ struct BuildPlan {
 };
 
 /// The digest of a file's content. Error: `Input` if it cannot be read.
-Expected<std::string> contentDigest(const std::string &path);
+Expected<std::string> fileDigest(const std::string &path);
 
 /// Whether all files of the input are those that the plan was made for. Error (`Input`): one is not.
 Expected<void> checkInput(const BuildPlan &plan);

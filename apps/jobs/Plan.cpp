@@ -88,7 +88,7 @@ private:
     plan.input = absoluteInput(building_.input());
     const auto files = VOXC_TRY(measure::contentFiles(plan.input));
     for (const measure::ContentFile &file : files) {
-      const auto digest = VOXC_TRY(contentDigest(file.path));
+      const auto digest = VOXC_TRY(fileDigest(file.path));
       if (file.path.find('\n') != std::string::npos)
         return Error::input("'" + file.path + "' has a line break in its name, which a plan cannot hold");
       plan.files.push_back({digest, file.path});
