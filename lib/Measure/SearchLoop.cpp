@@ -157,7 +157,8 @@ std::size_t SearchLoop::nextBatch() const {
   const double formats = (options_.budget.left() - reserve()) / secondsOfOne();
   if (formats <= 0)
     return findings_.empty() ? 1 : 0;
-  // Until one was measured, how long it takes is a guess, and a batch has no answer before its last one is built.
+  // Until one was measured, how long it takes is a guess, and a batch has no answer before its last one is
+  // built.
   return measuredCount_ == 0 ? 1 : std::min(options_.together, static_cast<std::size_t>(formats) + 1);
 }
 
