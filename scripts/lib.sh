@@ -43,6 +43,9 @@ fetch_sysroot() { # PRESET
   [ "$1" != aarch64 ] || [ -d build/aarch64-sysroot ] || scripts/sysroot.sh arm64 build/aarch64-sysroot
 }
 
+# What a build is configured with, beside its preset.
+configuration=(-DVOXC_APPS=ON)
+
 # build PRESET [TARGET...]: configures and builds build/PRESET, all of it or these targets. One from nothing compiles files
 # together; `cmake --preset PRESET -DVOXC_FIRST_BUILD=OFF` is for who goes on to change them.
 build() {
@@ -52,6 +55,6 @@ build() {
   fetch_sysroot "$preset"
   local first=
   [ -e "build/$preset/CMakeCache.txt" ] || first=-DVOXC_FIRST_BUILD=ON
-  cmake --preset "$preset" $first >/dev/null
+  cmake --preset "$preset" $first "${configuration[@]}" >/dev/null
   NINJA_STATUS="  file %f of %t, after %es: " cmake --build --preset "$preset" ${1:+--target "$@"}
 }

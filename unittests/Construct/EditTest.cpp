@@ -1,4 +1,5 @@
 // An edited volume has the words of a build of the edited voxels.
+#include "EditTesting.h"
 #include "TestLength.h"
 
 #include "testing/HardScenes.h"
@@ -16,26 +17,17 @@ namespace {
 
 using Words = std::vector<std::uint32_t>;
 
-std::shared_ptr<const Volume> buildVolume(const Format &format, VoxelSource &source) {
-  const auto constructor = Constructor::compile(format);
-  auto built = constructor->build(source);
-  return built ? std::make_shared<const Volume>(std::move(built->volume)) : nullptr;
-}
-
 std::shared_ptr<const Volume> smallVolume(std::mt19937 &random, Int3 extent) {
   const Format format = *parseFormat("R(1^3) G(4)");
   const auto scenes = test::hardScenes(extent);
-  return buildVolume(format, *scenes[std::size_t(test::pick(random, 0, int(scenes.size()) - 1))].source());
-}
-
-Int3 within(std::mt19937 &random, Int3 most) {
-  return {test::pick(random, 0, most.x), test::pick(random, 0, most.y), test::pick(random, 0, most.z)};
+  return test::buildVolume(format,
+                           *scenes[std::size_t(test::pick(random, 0, int(scenes.size()) - 1))].source());
 }
 
 VoxelEdit randomEdit(std::mt19937 &random, Int3 extent) {
   constexpr std::uint32_t kWords[] = {0, 0xff0000ff, 0x7f102030};
-  const Int3 low = within(random, extent);
-  VoxelEdit edit{low, within(random, extent - low), kWords[test::pick(random, 0, 2)], nullptr};
+  const Int3 low = test::within(random, extent);
+  VoxelEdit edit{low, test::within(random, extent - low), kWords[test::pick(random, 0, 2)], nullptr};
   const Int3 &size = edit.size;
   const bool canPaste =
       size.x > 0 && size.y > 0 && size.z > 0 && size.x <= 32 && size.y <= 32 && size.z <= 32;
@@ -62,7 +54,7 @@ std::uint32_t edited(const Volume &volume, const std::vector<VoxelEdit> &edits, 
 void expectSameAsBuild(const Format &format, const test::HardScene &scene, std::mt19937 &random) {
   const auto constructor = Constructor::compile(format);
   ASSERT_TRUE(constructor) << constructor.error().message;
-  const auto volume = buildVolume(format, *scene.source());
+  const auto volume = test::buildVolume(format, *scene.source());
   if (!volume) // The scene has more than the format's payload keeps.
     return;
   std::vector<VoxelEdit> edits;
@@ -99,7 +91,7 @@ TEST(Edit, CountsVoxelsOfNodesThatTwoLayersShare) {
     const bool isCube = (cell >> 1) == Int3{4, 4, 4};
     return cell == Int3{0, 0, 0} || isCube || cell == Int3{100, 100, 100} ? 0xff0000ffu : 0u;
   });
-  const auto volume = buildVolume(format, *source);
+  const auto volume = test::buildVolume(format, *source);
   ASSERT_EQ(volume->info().voxels, 10u);
   const auto edited = Constructor::compile(format)->edit(volume, {VoxelEdit{{100, 100, 100}, {1, 1, 1}}});
   ASSERT_TRUE(edited);
@@ -115,7 +107,7 @@ TEST(Edit, CopiesLevelsOfOneCell) {
   for (const char *text :
        {"G(7) G(0)", "S(7) S(0) G(0)", "R(4^3) G(3) G(0) S(0)", "R(3^3) G(4) G(0) M(0^3)"}) {
     const Format format = *parseFormat(text);
-    const auto volume = buildVolume(format, **source);
+    const auto volume = test::buildVolume(format, **source);
     const auto edited = Constructor::compile(format)->edit(volume, {VoxelEdit{{100, 2, 100}, {1, 1, 1}}});
     ASSERT_TRUE(edited) << text << ": " << edited.error().message;
     EXPECT_EQ(edited->volume.info().voxels,
@@ -127,7 +119,7 @@ TEST(Edit, CopiesLevelsOfOneCell) {
 TEST(Edit, WhatIsOutsideOfTheVolumeIsAnError) {
   const auto source = makeBuiltinSource("terrain", 16);
   const Format format = *parseFormat("R(2^3) G(2)");
-  const auto volume = buildVolume(format, **source);
+  const auto volume = test::buildVolume(format, **source);
   const auto constructor = Constructor::compile(format);
   for (const VoxelEdit &edit :
        {VoxelEdit{{10, 0, 0}, {7, 1, 1}}, VoxelEdit{{-1, 0, 0}, {1, 1, 1}}, VoxelEdit{{0, 0, 0}, {1, 1, -1}},

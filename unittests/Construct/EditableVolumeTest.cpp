@@ -1,5 +1,6 @@
 // An edited volume holds what the edits make of its voxels, in words that a loader takes, and comes back to
 // what a build makes of them.
+#include "EditTesting.h"
 #include "TestLength.h"
 
 #include "testing/HardScenes.h"
@@ -21,16 +22,10 @@ using Words = std::vector<std::uint32_t>;
 
 Words wordsOf(const Volume &volume) { return {volume.words().begin(), volume.words().end()}; }
 
-std::shared_ptr<const Volume> buildVolume(const Format &format, VoxelSource &source) {
-  const auto constructor = Constructor::compile(format);
-  auto built = constructor->build(source);
-  return built ? std::make_shared<const Volume>(std::move(built->volume)) : nullptr;
-}
-
 /// All voxels of an extent, one by one: what an edited volume is held against.
-class Voxels {
+class EditedVoxels {
 public:
-  Voxels(Int3 extent, const std::function<std::uint32_t(Int3)> &voxel) : extent_(extent) {
+  EditedVoxels(Int3 extent, const std::function<std::uint32_t(Int3)> &voxel) : extent_(extent) {
     forEach([&](Int3 at) { words_.push_back(voxel(at)); });
   }
 
@@ -64,30 +59,28 @@ private:
   Words words_;
 };
 
-Int3 within(std::mt19937 &random, Int3 most) {
-  return {test::pick(random, 0, most.x), test::pick(random, 0, most.y), test::pick(random, 0, most.z)};
-}
-
 std::unique_ptr<VoxelChange> randomList(std::mt19937 &random, Int3 extent, std::uint32_t word) {
   std::vector<VoxelWord> voxels;
   for (int i = test::pick(random, 1, 20); i > 0; --i)
-    voxels.push_back({within(random, extent - Int3{1, 1, 1}), test::pick(random, 0, 2) == 0 ? 0 : word});
+    voxels.push_back(
+        {test::within(random, extent - Int3{1, 1, 1}), test::pick(random, 0, 2) == 0 ? 0 : word});
   return makeListChange(std::move(voxels));
 }
 
 std::unique_ptr<VoxelChange> randomPaste(std::mt19937 &random, Int3 extent) {
   const auto scenes = test::hardScenes({8, 8, 8});
   const auto source = scenes[std::size_t(test::pick(random, 0, int(scenes.size()) - 1))].source();
-  return makePasteChange(buildVolume(*parseFormat("R(1^3) G(2)"), *source), within(random, extent));
+  return makePasteChange(test::buildVolume(*parseFormat("R(1^3) G(2)"), *source),
+                         test::within(random, extent));
 }
 
 std::unique_ptr<VoxelChange> randomChange(std::mt19937 &random, Int3 extent) {
   constexpr std::uint32_t kWords[] = {0, 0xff0000ff, 0x7f102030, 0xffffffff};
   const std::uint32_t word = kWords[test::pick(random, 0, 3)];
-  const Int3 low = within(random, extent);
+  const Int3 low = test::within(random, extent);
   switch (test::pick(random, 0, 4)) {
   case 0:
-    return makeBoxChange(low, within(random, extent - low), word);
+    return makeBoxChange(low, test::within(random, extent - low), word);
   case 1:
     return makeSphereChange(low, test::pick(random, 0, 12), word);
   case 2:
@@ -95,7 +88,7 @@ std::unique_ptr<VoxelChange> randomChange(std::mt19937 &random, Int3 extent) {
   case 3:
     return randomPaste(random, extent);
   default:
-    return makeFunctionChange(low, within(random, extent - low), [word](Int3 at, std::uint32_t old) {
+    return makeFunctionChange(low, test::within(random, extent - low), [word](Int3 at, std::uint32_t old) {
       return (at.x + at.y + at.z) % 3 == 0 ? word : old;
     });
   }
@@ -119,7 +112,7 @@ private:
   Words words_;
 };
 
-void expectHolds(EditableVolume &edited, const Voxels &voxels, const std::string &what) {
+void expectHolds(EditableVolume &edited, const EditedVoxels &voxels, const std::string &what) {
   const Volume &volume = *edited.volume();
   const auto counted = checkStructure(volume.format(), volume.words());
   ASSERT_TRUE(counted) << what << ": " << counted.error().message;
@@ -130,27 +123,27 @@ void expectHolds(EditableVolume &edited, const Voxels &voxels, const std::string
   EXPECT_EQ(wrong, 0) << what;
 }
 
-void expectCompacts(const EditableVolume &edited, const Format &format, const Voxels &voxels,
+void expectCompacts(const EditableVolume &edited, const Format &format, const EditedVoxels &voxels,
                     const std::string &what) {
   const auto compacted = edited.compact();
   ASSERT_TRUE(compacted) << what << ": " << compacted.error().message;
-  const auto built = buildVolume(format, *voxels.source());
+  const auto built = test::buildVolume(format, *voxels.source());
   ASSERT_TRUE(built) << what;
   EXPECT_EQ(wordsOf(compacted->volume), wordsOf(*built)) << what;
 }
 
 void editAtRandom(const Format &format, const test::HardScene &scene, std::mt19937 &random) {
-  const auto volume = buildVolume(format, *scene.source());
+  const auto volume = test::buildVolume(format, *scene.source());
   if (!volume) // The scene has more than the format's payload keeps.
     return;
   const std::string what = printIr(format) + " " + scene.name;
   auto edited = EditableVolume::create(*volume);
   ASSERT_TRUE(edited) << what << ": " << edited.error().message;
-  Voxels voxels(scene.extent, [&](Int3 at) { return volume->lookup(at).value; });
+  EditedVoxels voxels(scene.extent, [&](Int3 at) { return volume->lookup(at).value; });
   Follower follower(*edited);
   for (int i = test::pick(random, 2, 8); i > 0; --i) {
     const auto snapshot = edited->snapshot();
-    const Voxels before = voxels;
+    const EditedVoxels before = voxels;
     const auto change = randomChange(random, scene.extent);
     const auto report = edited->apply(*change);
     if (report)
@@ -218,12 +211,12 @@ TEST(EditableVolume, KeepsDistancesExact) {
     const Format format = formatWith(each.format, each.passes);
     const Int3 extent = format.extent();
     const auto source = test::hardScenes(extent)[5].source();
-    const auto volume = buildVolume(format, *source);
+    const auto volume = test::buildVolume(format, *source);
     ASSERT_TRUE(volume);
     auto edited = EditableVolume::create(*volume);
     ASSERT_TRUE(edited) << edited.error().message;
     for (int i = 0; i < test::rounds(30); ++i) {
-      ASSERT_TRUE(edited->apply(*makeBoxChange(within(random, extent), within(random, {3, 3, 3}),
+      ASSERT_TRUE(edited->apply(*makeBoxChange(test::within(random, extent), test::within(random, {3, 3, 3}),
                                                test::pick(random, 0, 1) == 0 ? 0 : 0xff102030)));
       if (edited->voxels() > 0) {
         ASSERT_EQ(gridOf(*edited->volume()), gridOf(edited->compact()->volume))
@@ -235,7 +228,7 @@ TEST(EditableVolume, KeepsDistancesExact) {
 
 TEST(EditableVolume, AWordThatTheFormatCannotKeepLeavesAllAsItWas) {
   const auto source = makeBuiltinSource("terrain", 32);
-  const auto volume = buildVolume(formatWith("R(5^3)", {"visible-voxels"}), **source);
+  const auto volume = test::buildVolume(formatWith("R(5^3)", {"visible-voxels"}), **source);
   ASSERT_TRUE(volume);
   auto edited = EditableVolume::create(*volume);
   ASSERT_TRUE(edited) << edited.error().message;
@@ -252,7 +245,7 @@ TEST(EditableVolume, AWordThatTheFormatCannotKeepLeavesAllAsItWas) {
 
 TEST(EditableVolume, SaysWhichFormatsCannotBeEdited) {
   const auto source = makeBuiltinSource("terrain", 16);
-  const auto volume = buildVolume(formatWith("M(2^3) M(2^3)", {"values-apart"}), **source);
+  const auto volume = test::buildVolume(formatWith("M(2^3) M(2^3)", {"values-apart"}), **source);
   ASSERT_TRUE(volume);
   const auto edited = EditableVolume::create(*volume);
   ASSERT_FALSE(edited);
@@ -265,7 +258,7 @@ TEST(EditableVolume, SaysWhichFormatsCannotBeEdited) {
 
 TEST(EditableVolume, KeepsNodesSharedWithTheFirst) {
   const auto source = makeBuiltinSource("terrain", 64);
-  const auto volume = buildVolume(*parseFormat("G(6)"), **source);
+  const auto volume = test::buildVolume(*parseFormat("G(6)"), **source);
   auto edited = EditableVolume::create(*volume);
   ASSERT_TRUE(edited);
   const std::uint32_t old = volume->lookup({10, 3, 10}).value;
@@ -281,7 +274,7 @@ TEST(EditableVolume, KeepsNodesSharedWithTheFirst) {
 /// A view is of its snapshot, whatever edits follow.
 TEST(EditableVolume, ViewsStayWhatTheyWere) {
   const auto source = makeBuiltinSource("terrain", 64);
-  const auto volume = buildVolume(*parseFormat("R(2^3) D(2^3,4) G(2)"), **source);
+  const auto volume = test::buildVolume(*parseFormat("R(2^3) D(2^3,4) G(2)"), **source);
   auto edited = EditableVolume::create(*volume);
   ASSERT_TRUE(edited);
   const auto first = edited->snapshot();

@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 
 // Places in the header of docs/hvf.md.
 constexpr std::size_t kVersionAt = 8;
-constexpr std::size_t kChecksumAt = 16;
+constexpr std::size_t kHeadChecksumAt = 16;
 constexpr std::size_t kPartsAt = 24;
 constexpr std::size_t kEndAt = 56;
 constexpr std::size_t kLookedAt = 64;
@@ -54,12 +54,12 @@ protected:
     std::memcpy(&number, bytes.data() + at, size);
     number += static_cast<std::uint64_t>(by);
     std::memcpy(bytes.data() + at, &number, size);
-    std::memset(bytes.data() + kChecksumAt, 0, 8);
+    std::memset(bytes.data() + kHeadChecksumAt, 0, 8);
     Checksum checksum;
     checksum.add(bytes.data() + kHeaderBytes, bytes.size() - kHeaderBytes);
     checksum.add(bytes.data(), kHeaderBytes);
     const std::uint64_t digest = checksum.digest();
-    std::memcpy(bytes.data() + kChecksumAt, &digest, 8);
+    std::memcpy(bytes.data() + kHeadChecksumAt, &digest, 8);
     ASSERT_TRUE(writeFile(path(i), bytes));
   }
 

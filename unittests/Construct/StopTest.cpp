@@ -22,7 +22,7 @@ namespace {
 // A loop whose condition is a stream's next does not compile: a stop is not the end.
 static_assert(!std::is_constructible_v<bool, Next<int>>);
 
-constexpr int kSide = 17; // Of bricks of 8, three on each axis.
+constexpr int kStoppedSide = 17; // Of bricks of 8, three on each axis.
 constexpr const char *kEarlier = "what was there before";
 
 /// When to stop: at the n-th look, whoever looks.
@@ -85,8 +85,8 @@ protected:
                                      std::shared_ptr<std::atomic<bool>> flag = nullptr) const {
     if (!countdown)
       countdown = std::make_shared<Countdown>(~std::uint64_t{0});
-    return std::make_unique<StoppingSource>(*makeBuiltinSource("terrain", kSide), std::move(countdown), stop,
-                                            std::move(flag));
+    return std::make_unique<StoppingSource>(*makeBuiltinSource("terrain", kStoppedSide), std::move(countdown),
+                                            stop, std::move(flag));
   }
   std::string fragment(int i) const { return folder_.path("part" + std::to_string(i)); }
   std::vector<std::string> fragments() const { return {fragment(0), fragment(1), fragment(2)}; }
@@ -265,7 +265,7 @@ TEST_F(StopsOfVolumes, InExportsAndPages) {
 
 /// A set of files is read from its number 0 or 1 on: stopped, it has neither.
 TEST_F(StopsOfVolumes, InSetsOfFiles) {
-  constexpr std::uint64_t kEncodedFirst = kSide & -8; // Whole cubes of 8.
+  constexpr std::uint64_t kEncodedFirst = kStoppedSide & -8; // Whole cubes of 8.
   std::uint64_t stopped = 0;
   for (std::uint64_t n = 0;; ++n) {
     const TemporaryFolder folder;
@@ -275,7 +275,7 @@ TEST_F(StopsOfVolumes, InSetsOfFiles) {
         exportVoxels(*volume_, folder.path("s%d.png"),
                      {.save = {.threads = 1, .progress = {.ask = [&] { return countdown.isOver(); }}}});
     if (exported) {
-      EXPECT_EQ(folder.count(), kSide);
+      EXPECT_EQ(folder.count(), kStoppedSide);
       break;
     }
     ++stopped;
@@ -283,7 +283,7 @@ TEST_F(StopsOfVolumes, InSetsOfFiles) {
                 (n < kEncodedFirst + 4 ? kEarlier : "")); // Until its third file.
     EXPECT_EQ(bytesOf(folder.path("s1.png")), "");
   }
-  EXPECT_EQ(stopped, 2 * kSide + 1); // Before all, before each is encoded, and before each is written.
+  EXPECT_EQ(stopped, 2 * kStoppedSide + 1); // Before all, before each is encoded, and before each is written.
 }
 
 } // namespace

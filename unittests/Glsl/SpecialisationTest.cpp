@@ -148,30 +148,30 @@ TEST(DropUnused, KeepsCallsThatWriteWhatStandsElsewhere) {
   EXPECT_EQ(used(text), text);
 }
 
-std::string folded(std::string_view text) {
+std::string foldedAlike(std::string_view text) {
   return after(text, [](Module &module) { fold(module, {{"ALIKE", "true"}, {"COUNTS", "false"}}); });
 }
 
 TEST(Fold, ReturnsWhatWasOnlyNamed) {
-  EXPECT_EQ(folded("int f(int a) {\n  int b = a; // Why.\n  if (COUNTS)\n    b++;\n  return b;\n}\n"),
+  EXPECT_EQ(foldedAlike("int f(int a) {\n  int b = a; // Why.\n  if (COUNTS)\n    b++;\n  return b;\n}\n"),
             "int f(int a) {\n  return a; // Why.\n}\n");
-  EXPECT_EQ(folded("int f(int a) {\n  int b = a;\n  return a;\n}\n"),
+  EXPECT_EQ(foldedAlike("int f(int a) {\n  int b = a;\n  return a;\n}\n"),
             "int f(int a) {\n  int b = a;\n  return a;\n}\n");
 }
 
 TEST(Fold, ChoosesNothingBetweenZeroAndZero) {
-  EXPECT_EQ(folded("uint f(uint a) { return a == 0u ? 0u : ALIKE ? a : 1u; }\n"),
+  EXPECT_EQ(foldedAlike("uint f(uint a) { return a == 0u ? 0u : ALIKE ? a : 1u; }\n"),
             "uint f(uint a) { return a; }\n");
   const std::string other = "uint f(uint a) { return a == 0u ? 1u : a; }\n";
-  EXPECT_EQ(folded(other), other);
+  EXPECT_EQ(foldedAlike(other), other);
 }
 
 TEST(Fold, TakesBracesFromWhatShrank) {
-  EXPECT_EQ(folded("int f(int a) {\n  if (a > 0) {\n    if (COUNTS)\n      a++;\n    return a;\n  }\n  "
-                   "return 0;\n}\n"),
+  EXPECT_EQ(foldedAlike("int f(int a) {\n  if (a > 0) {\n    if (COUNTS)\n      a++;\n    return a;\n  }\n  "
+                        "return 0;\n}\n"),
             "int f(int a) {\n  if (a > 0)\n    return a;\n  return 0;\n}\n");
   const std::string braced = "int f(int a) {\n  if (a > 0) {\n    return a;\n  }\n  return 0;\n}\n";
-  EXPECT_EQ(folded(braced), braced);
+  EXPECT_EQ(foldedAlike(braced), braced);
 }
 
 } // namespace

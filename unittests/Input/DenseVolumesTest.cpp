@@ -108,30 +108,32 @@ TEST_F(DenseVolumes, AxesAreAsTheyLieUnlessUpIsZ) {
   EXPECT_THAT(toModel(2.5, 4.5, 2.5), ElementsAre(2.5, 1.5, 4.5));
 }
 
-std::string nrrd(const std::string &fields, const std::string &data = "\1\2\3\4\5\6") {
+std::string nrrdOfBytes(const std::string &fields, const std::string &data = "\1\2\3\4\5\6") {
   return "NRRD0004\n# a comment\ntype: uint8\ndimension: 3\nsizes: 3 2 1\n" + fields + "\n" + data;
 }
 
 TEST_F(DenseVolumes, NrrdAttachedAndDetachedRawAndCompressed) {
   const std::string six = "\1\2\3\4\5\6";
-  EXPECT_EQ(voxels("a.nrrd", nrrd("encoding: raw\n")), kSix);
-  EXPECT_EQ(voxels("a.NRRD", nrrd("encoding: raw\r\nkey:=value: x\n", six + "more")), kSix);
-  EXPECT_EQ(voxels("a.nrrd", nrrd("encoding: gzip\n", gzipped(six))), kSix);
-  EXPECT_EQ(voxels("a.nrrd", nrrd("encoding: gz\nbyte skip: 2\n", gzipped("ab" + six))), kSix);
-  EXPECT_EQ(voxels("a.nrrd", nrrd("encoding: gz\n", gzipped("\1\2") + gzipped("\3\4\5\6"))), kSix);
-  EXPECT_EQ(voxels("a.nrrd", nrrd("encoding: raw\nbyte skip: -1\n", "xyz" + six)), kSix);
-  EXPECT_EQ(voxels("a.nrrd", nrrd("encoding: raw\nlineskip: 2\nbyteskip: 1\n", "one\ntwo\nx" + six)), kSix);
+  EXPECT_EQ(voxels("a.nrrd", nrrdOfBytes("encoding: raw\n")), kSix);
+  EXPECT_EQ(voxels("a.NRRD", nrrdOfBytes("encoding: raw\r\nkey:=value: x\n", six + "more")), kSix);
+  EXPECT_EQ(voxels("a.nrrd", nrrdOfBytes("encoding: gzip\n", gzipped(six))), kSix);
+  EXPECT_EQ(voxels("a.nrrd", nrrdOfBytes("encoding: gz\nbyte skip: 2\n", gzipped("ab" + six))), kSix);
+  EXPECT_EQ(voxels("a.nrrd", nrrdOfBytes("encoding: gz\n", gzipped("\1\2") + gzipped("\3\4\5\6"))), kSix);
+  EXPECT_EQ(voxels("a.nrrd", nrrdOfBytes("encoding: raw\nbyte skip: -1\n", "xyz" + six)), kSix);
+  EXPECT_EQ(voxels("a.nrrd", nrrdOfBytes("encoding: raw\nlineskip: 2\nbyteskip: 1\n", "one\ntwo\nx" + six)),
+            kSix);
   folder_.file("a.bin", six);
-  EXPECT_EQ(voxels("a.nhdr", nrrd("encoding: raw\ndata file: a.bin\n", "")), kSix);
+  EXPECT_EQ(voxels("a.nhdr", nrrdOfBytes("encoding: raw\ndata file: a.bin\n", "")), kSix);
   folder_.file("a.bin.gz", gzipped(six));
-  EXPECT_EQ(voxels("a.nhdr", nrrd("encoding: gzip\ndatafile: a.bin.gz", "")), kSix);
+  EXPECT_EQ(voxels("a.nhdr", nrrdOfBytes("encoding: gzip\ndatafile: a.bin.gz", "")), kSix);
 }
 
 TEST_F(DenseVolumes, NrrdSaysWhereItsSamplesLie) {
-  voxels("a.nrrd", nrrd("encoding: raw\nspacings: 2 3 4\n"));
+  voxels("a.nrrd", nrrdOfBytes("encoding: raw\nspacings: 2 3 4\n"));
   EXPECT_THAT(toModel(1, 1, 1), ElementsAre(2, 3, 4));
-  voxels("a.nrrd",
-         nrrd("encoding: raw\nspace directions: (0,2,0) (-1,0,0) (0,0,1)\nspace origin: (10, 20, 30)\n"));
+  voxels(
+      "a.nrrd",
+      nrrdOfBytes("encoding: raw\nspace directions: (0,2,0) (-1,0,0) (0,0,1)\nspace origin: (10, 20, 30)\n"));
   EXPECT_THAT(toModel(0.5, 0.5, 0.5), ElementsAre(10, 20, 30));
   EXPECT_THAT(toModel(1.5, 0.5, 0.5), ElementsAre(10, 22, 30));
   EXPECT_THAT(toModel(0.5, 1.5, 0.5), ElementsAre(9, 20, 30));

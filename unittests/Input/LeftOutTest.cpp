@@ -27,7 +27,8 @@ protected:
   }
 };
 
-std::string nrrd(const std::string &fields, const std::string &data, const std::string &encoding = "raw") {
+std::string nrrdOfSix(const std::string &fields, const std::string &data,
+                      const std::string &encoding = "raw") {
   return "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 3 2 1\nencoding: " + encoding + "\n" + fields + "\n" +
          data;
 }
@@ -35,36 +36,37 @@ std::string nrrd(const std::string &fields, const std::string &data, const std::
 const std::string kData = "\1\2\3\4\5\6";
 
 TEST_F(LeftOut, WhatIsPackedBehindSamples) {
-  EXPECT_THAT(warningsOf("a.nrrd", nrrd("", gzipped(kData), "gzip")), IsEmpty());
-  EXPECT_THAT(warningsOf("a.nrrd", nrrd("", gzipped(kData + "7"), "gzip")),
+  EXPECT_THAT(warningsOf("a.nrrd", nrrdOfSix("", gzipped(kData), "gzip")), IsEmpty());
+  EXPECT_THAT(warningsOf("a.nrrd", nrrdOfSix("", gzipped(kData + "7"), "gzip")),
               ElementsAre("more is packed behind the samples, and is left out"));
-  EXPECT_THAT(warningsOf("a.nrrd", nrrd("", gzipped(kData) + "78", "gzip")),
+  EXPECT_THAT(warningsOf("a.nrrd", nrrdOfSix("", gzipped(kData) + "78", "gzip")),
               ElementsAre("2 bytes are left out behind the compressed data"));
-  EXPECT_THAT(warningsOf("a.nrrd", nrrd("", gzipped(kData.substr(0, 2)) + gzipped(kData.substr(2)), "gzip")),
-              IsEmpty());
-  EXPECT_THAT(warningsOf("a.nrrd", nrrd("", "1 2 3 4 5 6\n", "ascii")), IsEmpty());
-  EXPECT_THAT(warningsOf("a.nrrd", nrrd("", "1 2 3 4 5 6 7", "ascii")),
+  EXPECT_THAT(
+      warningsOf("a.nrrd", nrrdOfSix("", gzipped(kData.substr(0, 2)) + gzipped(kData.substr(2)), "gzip")),
+      IsEmpty());
+  EXPECT_THAT(warningsOf("a.nrrd", nrrdOfSix("", "1 2 3 4 5 6\n", "ascii")), IsEmpty());
+  EXPECT_THAT(warningsOf("a.nrrd", nrrdOfSix("", "1 2 3 4 5 6 7", "ascii")),
               ElementsAre(HasSubstr("more is packed")));
-  EXPECT_THAT(warningsOf("a.nrrd", nrrd("", "010203040506 x", "hex")),
+  EXPECT_THAT(warningsOf("a.nrrd", nrrdOfSix("", "010203040506 x", "hex")),
               ElementsAre(HasSubstr("behind the samples its data in hexadecimal")));
 }
 
 TEST_F(LeftOut, KeysOfNrrd) {
-  EXPECT_THAT(warningsOf("a.nrrd", nrrd("Segment0_Name:=bone\nmine:=1\n", kData)),
+  EXPECT_THAT(warningsOf("a.nrrd", nrrdOfSix("Segment0_Name:=bone\nmine:=1\n", kData)),
               ElementsAre(HasSubstr("nothing is used but that there are segments: 'Segment0_Name', 'mine'")));
 }
 
 TEST_F(LeftOut, FieldsOfNrrdThatAreThereTwice) {
-  EXPECT_THAT(warningsOf("a.nrrd", nrrd("content: one\ncontent: two\n", kData)), IsEmpty());
-  EXPECT_THAT(warningsOf("a.nrrd", nrrd("sizes: 1 2 3\n", kData)),
+  EXPECT_THAT(warningsOf("a.nrrd", nrrdOfSix("content: one\ncontent: two\n", kData)), IsEmpty());
+  EXPECT_THAT(warningsOf("a.nrrd", nrrdOfSix("sizes: 1 2 3\n", kData)),
               ElementsAre("its field 'sizes' is there more than once; the last holds"));
   EXPECT_EQ(extent_, (Int3{1, 2, 3}));
-  EXPECT_THAT(warningsOf("a.nrrd", nrrd("centers: cell cell cell\ncenterings: node node node\n", kData)),
+  EXPECT_THAT(warningsOf("a.nrrd", nrrdOfSix("centers: cell cell cell\ncenterings: node node node\n", kData)),
               ElementsAre(HasSubstr("its field 'centerings' is there more than once")));
 }
 
 TEST_F(LeftOut, LinesOfNrrdThatEndByCarriageReturns) {
-  std::string head = nrrd("", "");
+  std::string head = nrrdOfSix("", "");
   std::ranges::replace(head, '\n', '\r');
   EXPECT_EQ(voxels("a.nrrd", head + "\n\2\3\4\5\6").size(), 6u);
   EXPECT_THAT(warnings_, IsEmpty());

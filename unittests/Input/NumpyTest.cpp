@@ -68,29 +68,30 @@ protected:
 };
 
 using Words = std::vector<std::uint32_t>;
-const std::string kSix = "\1\2\3\4\5\6";
+const std::string kSixBytes = "\1\2\3\4\5\6";
 const Words kUpToSix{1, 2, 3, 4, 5, 6};
 
 TEST_F(Numpy, ArraysAreZYX) {
-  EXPECT_EQ(words("a.npy", npy("|u1", "False", "(1, 2, 3)", kSix)), kUpToSix);
+  EXPECT_EQ(words("a.npy", npy("|u1", "False", "(1, 2, 3)", kSixBytes)), kUpToSix);
   EXPECT_EQ(extent_, (Int3{3, 2, 1}));
-  EXPECT_EQ(words("a.npy", npy("|u1", "False", "(1, 2, 3)", kSix, false)), kUpToSix);
+  EXPECT_EQ(words("a.npy", npy("|u1", "False", "(1, 2, 3)", kSixBytes, false)), kUpToSix);
   EXPECT_EQ(words("a.npy", npy("|u1", "True", "(1, 2, 3)", "\1\4\2\5\3\6")), kUpToSix);
   EXPECT_EQ(words("a.npy", npy(">i2", "False", "(3, 1, 1)", std::string("\0\1\0\2\1\0", 6))),
             (Words{1, 2, 256}));
   EXPECT_EQ(words("a.npy", npy("|b1", "False", "(2,)", std::string("\1\0", 2))), (Words{1, 0}));
-  EXPECT_EQ(words("a.npy", npy("|u1", "False", "(2, 1, 1, 3)", kSix)), (Words{rgba(1, 2, 3), rgba(4, 5, 6)}));
-  EXPECT_EQ(words("a.npy", npy("|u1", "False", "(3, 1, 1, 2)", kSix)), (Words{1, 2}));
+  EXPECT_EQ(words("a.npy", npy("|u1", "False", "(2, 1, 1, 3)", kSixBytes)),
+            (Words{rgba(1, 2, 3), rgba(4, 5, 6)}));
+  EXPECT_EQ(words("a.npy", npy("|u1", "False", "(3, 1, 1, 2)", kSixBytes)), (Words{1, 2}));
   EXPECT_THAT(warnings_, ElementsAre(HasSubstr("3 volumes")));
   options_.volume = 3;
-  EXPECT_EQ(words("a.npy", npy("|u1", "False", "(3, 1, 1, 2)", kSix)), (Words{5, 6}));
+  EXPECT_EQ(words("a.npy", npy("|u1", "False", "(3, 1, 1, 2)", kSixBytes)), (Words{5, 6}));
 }
 
 TEST_F(Numpy, ArchivesHaveSeveral) {
   for (const bool isDeflated : {false, true}) {
     options_.grid.clear();
     const std::string archive = zip({{"times.npy", npy("<f8", "False", "(1,)", std::string(8, '\0'))},
-                                     {"first.npy", npy("|u1", "False", "(1, 2, 3)", kSix)},
+                                     {"first.npy", npy("|u1", "False", "(1, 2, 3)", kSixBytes)},
                                      {"other.npy", npy("|u1", "False", "(1, 1, 2)", "\7\10")}},
                                     isDeflated);
     EXPECT_EQ(words("a.npz", archive), kUpToSix);
@@ -112,10 +113,10 @@ TEST_F(Numpy, WhatIsBrokenIsAnError) {
   EXPECT_THAT(problem("a.npy", "nonsense"), HasSubstr("does not begin as NumPy arrays do"));
   EXPECT_THAT(problem("a.npy", npy("<c8", "False", "(1, 1, 1)", "12345678")), HasSubstr("of the type <c8"));
   EXPECT_THAT(problem("a.npy", npy("|O", "False", "(1, 1, 1)", "12345678")), HasSubstr("of the type |O"));
-  EXPECT_THAT(problem("a.npy", npy("|u1", "False", "(1, 2, 4)", kSix)),
+  EXPECT_THAT(problem("a.npy", npy("|u1", "False", "(1, 2, 4)", kSixBytes)),
               HasSubstr("takes 8 bytes, but there are 6"));
-  EXPECT_THAT(problem("a.npy", npy("|u1", "False", "(0, 2, 4)", kSix)), HasSubstr("has no value"));
-  EXPECT_THAT(problem("a.npy", npy("|u1", "False", "(999999999999, 999999999999, 4)", kSix)),
+  EXPECT_THAT(problem("a.npy", npy("|u1", "False", "(0, 2, 4)", kSixBytes)), HasSubstr("has no value"));
+  EXPECT_THAT(problem("a.npy", npy("|u1", "False", "(999999999999, 999999999999, 4)", kSixBytes)),
               HasSubstr("more than any"));
 }
 

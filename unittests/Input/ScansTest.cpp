@@ -46,7 +46,7 @@ protected:
   }
 };
 
-std::string nrrd(const std::string &fields, const std::string &data = {}) {
+std::string nrrdScan(const std::string &fields, const std::string &data = {}) {
   return "NRRD0005\ntype: uint8\n" + fields + "\n" + data;
 }
 
@@ -63,18 +63,20 @@ TEST_F(Scans, NrrdOfEveryEncoding) {
   }
   const auto expected = upTo(24);
   for (const char *const name : {"text", "txt", "ascii", "ASCII"})
-    EXPECT_EQ(words("a.nrrd", nrrd(kThree + "encoding: " + name + "\n", digits)), expected) << name;
-  EXPECT_EQ(words("a.nrrd", nrrd(kThree + "encoding: hex\n", hex)), expected);
-  EXPECT_EQ(words("a.nrrd", nrrd(kThree + "encoding: bzip2\n", bzipped(bytes()))), expected);
+    EXPECT_EQ(words("a.nrrd", nrrdScan(kThree + "encoding: " + name + "\n", digits)), expected) << name;
+  EXPECT_EQ(words("a.nrrd", nrrdScan(kThree + "encoding: hex\n", hex)), expected);
+  EXPECT_EQ(words("a.nrrd", nrrdScan(kThree + "encoding: bzip2\n", bzipped(bytes()))), expected);
   const std::string members = bzipped(bytes().substr(0, 5)) + bzipped(bytes().substr(5));
-  EXPECT_EQ(words("a.nrrd", nrrd(kThree + "encoding: bz2\n", members)), expected);
-  EXPECT_EQ(words("a.nrrd", nrrd(kThree + "encoding: gzip\nbyte skip: -1\n", gzipped("header" + bytes()))),
+  EXPECT_EQ(words("a.nrrd", nrrdScan(kThree + "encoding: bz2\n", members)), expected);
+  EXPECT_EQ(
+      words("a.nrrd", nrrdScan(kThree + "encoding: gzip\nbyte skip: -1\n", gzipped("header" + bytes()))),
+      expected);
+  EXPECT_EQ(words("a.nrrd", nrrdScan(kThree + "encoding: bz2\nbyte skip: -1\n", bzipped("header" + bytes()))),
             expected);
-  EXPECT_EQ(words("a.nrrd", nrrd(kThree + "encoding: bz2\nbyte skip: -1\n", bzipped("header" + bytes()))),
+  EXPECT_EQ(words("a.nrrd", nrrdScan(kThree + "encoding: bz2\nbyte skip: 3\n", bzipped("abc" + bytes()))),
             expected);
-  EXPECT_EQ(words("a.nrrd", nrrd(kThree + "encoding: bz2\nbyte skip: 3\n", bzipped("abc" + bytes()))),
+  EXPECT_EQ(words("a.nrrd", nrrdScan(kThree + "encoding: txt\nline skip: 1\n", "9 9 9\n" + digits)),
             expected);
-  EXPECT_EQ(words("a.nrrd", nrrd(kThree + "encoding: txt\nline skip: 1\n", "9 9 9\n" + digits)), expected);
   // Numbers in digits have no byte order, and may be of any type.
   EXPECT_EQ(words("a.nrrd", "NRRD0004\ntype: float\n" + kThree + "encoding: txt\n\n" + digits), expected);
   EXPECT_EQ(words("a.nrrd", "NRRD0004\ntype: unsigned short int\nendian: big\n" + kThree +
@@ -90,18 +92,18 @@ TEST_F(Scans, NrrdInSeveralFiles) {
                  gzipped(bytes().substr(static_cast<std::size_t>(6 * i), 6)));
   }
   const auto expected = upTo(24);
-  EXPECT_EQ(words("a.nhdr", nrrd(kThree + "encoding: raw\ndata file: slab %d.raw 0 3 1\n")), expected);
-  EXPECT_EQ(words("a.nhdr", nrrd(kThree + "encoding: raw\ndata file: slab %d.raw 0 3 1 2\n")), expected);
-  EXPECT_EQ(words("a.nhdr", nrrd(kThree + "encoding: gzip\ndatafile: z%01d.gz 0 3 1")), expected);
-  EXPECT_EQ(
-      words("a.nhdr", nrrd(kThree + "encoding: raw\ndata file: LIST\nslab 0.raw\nslab 1.raw\r\nslab 2.raw\n"
+  EXPECT_EQ(words("a.nhdr", nrrdScan(kThree + "encoding: raw\ndata file: slab %d.raw 0 3 1\n")), expected);
+  EXPECT_EQ(words("a.nhdr", nrrdScan(kThree + "encoding: raw\ndata file: slab %d.raw 0 3 1 2\n")), expected);
+  EXPECT_EQ(words("a.nhdr", nrrdScan(kThree + "encoding: gzip\ndatafile: z%01d.gz 0 3 1")), expected);
+  EXPECT_EQ(words("a.nhdr",
+                  nrrdScan(kThree + "encoding: raw\ndata file: LIST\nslab 0.raw\nslab 1.raw\r\nslab 2.raw\n"
                                     "slab 3.raw\n")),
-      expected);
-  const auto back = words("a.nhdr", nrrd(kThree + "encoding: raw\ndata file: slab %d.raw 3 0 -1\n"));
+            expected);
+  const auto back = words("a.nhdr", nrrdScan(kThree + "encoding: raw\ndata file: slab %d.raw 3 0 -1\n"));
   ASSERT_EQ(back.size(), 24u);
   EXPECT_EQ(back.front(), 19u);
   EXPECT_EQ(back.back(), 6u);
-  folder_.file("a.nhdr", nrrd(kThree + "encoding: raw\ndata file: slab %d.raw 1 4 1\n"));
+  folder_.file("a.nhdr", nrrdScan(kThree + "encoding: raw\ndata file: slab %d.raw 1 4 1\n"));
   EXPECT_THAT(problem("a.nhdr"), HasSubstr("slab 4.raw"));
 }
 
@@ -112,19 +114,20 @@ TEST_F(Scans, NrrdOfFourAxes) {
   for (const char *const fields :
        {"sizes: 1 4 3 2\nkinds: list domain domain domain\nspace directions: none (1,0,0) (0,1,0) (0,0,1)\n",
         "sizes: 4 3 2 1\nkinds: domain domain domain list\n", "sizes: 1 4 3 2\n", "sizes: 4 3 2 1\n"})
-    EXPECT_EQ(words("a.nrrd", nrrd(four + fields, bytes())), all) << fields;
+    EXPECT_EQ(words("a.nrrd", nrrdScan(four + fields, bytes())), all) << fields;
   EXPECT_EQ(extent_, (Int3{4, 3, 2}));
   // Components beside each other, and volumes one after the other.
-  EXPECT_EQ(words("a.nrrd", nrrd(four + "sizes: 2 4 3 1\nkinds: 2-vector domain domain domain\n", bytes())),
-            upTo(24, 2));
+  EXPECT_EQ(
+      words("a.nrrd", nrrdScan(four + "sizes: 2 4 3 1\nkinds: 2-vector domain domain domain\n", bytes())),
+      upTo(24, 2));
   EXPECT_THAT(warnings_, ElementsAre(HasSubstr("2 volumes")));
-  EXPECT_EQ(words("a.nrrd", nrrd(four + "sizes: 4 3 1 2\nkinds: domain domain domain list\n", bytes())),
+  EXPECT_EQ(words("a.nrrd", nrrdScan(four + "sizes: 4 3 1 2\nkinds: domain domain domain list\n", bytes())),
             upTo(12));
   options_.volume = 2;
   EXPECT_EQ(words("a.nrrd"), upTo(24, 1, 13));
   EXPECT_THAT(provenance_, HasSubstr(" volume=2"));
   EXPECT_THAT(warnings_, IsEmpty());
-  EXPECT_EQ(words("a.nrrd", nrrd(four + "sizes: 2 4 3 1\nkinds: list domain domain domain\n", bytes())),
+  EXPECT_EQ(words("a.nrrd", nrrdScan(four + "sizes: 2 4 3 1\nkinds: list domain domain domain\n", bytes())),
             upTo(24, 2, 2));
   options_.volume = 3;
   EXPECT_THAT(problem("a.nrrd"), HasSubstr("there is no volume 3; the file has 2"));
@@ -133,18 +136,20 @@ TEST_F(Scans, NrrdOfFourAxes) {
 TEST_F(Scans, NrrdOfColours) {
   const std::string colours("\1\2\3\0\0\0\7\10\11", 9);
   const std::vector<std::uint32_t> expected{rgba(1, 2, 3), 0, rgba(7, 8, 9)};
-  EXPECT_EQ(words("a.nrrd",
-                  nrrd("dimension: 4\nencoding: raw\nsizes: 3 3 1 1\nkinds: RGB-color space space space\n",
-                       colours)),
-            expected);
-  EXPECT_EQ(words("a.nrrd",
-                  nrrd("dimension: 4\nencoding: raw\nsizes: 3 1 1 3\nkinds: space space space RGB-color\n",
-                       std::string("\1\0\7\2\0\10\3\0\11", 9))),
-            expected);
   EXPECT_EQ(
       words("a.nrrd",
-            nrrd("dimension: 4\nencoding: raw\nsizes: 4 2 1 1\nkinds: RGBA-color domain domain domain\n",
-                 std::string("\1\2\3\4\0\0\0\0", 8))),
+            nrrdScan("dimension: 4\nencoding: raw\nsizes: 3 3 1 1\nkinds: RGB-color space space space\n",
+                     colours)),
+      expected);
+  EXPECT_EQ(
+      words("a.nrrd",
+            nrrdScan("dimension: 4\nencoding: raw\nsizes: 3 1 1 3\nkinds: space space space RGB-color\n",
+                     std::string("\1\0\7\2\0\10\3\0\11", 9))),
+      expected);
+  EXPECT_EQ(
+      words("a.nrrd",
+            nrrdScan("dimension: 4\nencoding: raw\nsizes: 4 2 1 1\nkinds: RGBA-color domain domain domain\n",
+                     std::string("\1\2\3\4\0\0\0\0", 8))),
       (std::vector<std::uint32_t>{rgba(1, 2, 3, 4), 0}));
   // 16 bits a channel.
   EXPECT_EQ(words("a.nrrd",
@@ -153,32 +158,33 @@ TEST_F(Scans, NrrdOfColours) {
                       std::string("\377\377\0\0\2\2", 6)),
             (std::vector<std::uint32_t>{rgba(255, 0, 2)}));
   // Layers of segments are none.
-  EXPECT_EQ(
-      words("a.nrrd", nrrd("dimension: 4\nencoding: raw\nsizes: 3 2 1 1\nkinds: list domain domain domain\n"
+  EXPECT_EQ(words("a.nrrd",
+                  nrrdScan("dimension: 4\nencoding: raw\nsizes: 3 2 1 1\nkinds: list domain domain domain\n"
                            "Segment0_ID:=a\n",
                            "\1\2\3\4\5\6")),
-      (std::vector<std::uint32_t>{1, 4}));
+            (std::vector<std::uint32_t>{1, 4}));
 }
 
 TEST_F(Scans, BytesBehindSamplesAreTold) {
-  EXPECT_EQ(words("a.nrrd", nrrd(kThree + "encoding: raw\n", bytes() + "abc")), upTo(24));
+  EXPECT_EQ(words("a.nrrd", nrrdScan(kThree + "encoding: raw\n", bytes() + "abc")), upTo(24));
   EXPECT_THAT(warnings_, ElementsAre("3 bytes are left out, which lie behind the samples"));
-  words("a.nrrd", nrrd(kThree + "encoding: raw\n", bytes()));
+  words("a.nrrd", nrrdScan(kThree + "encoding: raw\n", bytes()));
   EXPECT_THAT(warnings_, IsEmpty());
 }
 
 TEST_F(Scans, AxesThatAreNotAtRightAnglesAreTold) {
   options_.isAutomatic = true;
   const std::string space = kThree + "encoding: raw\nspace: right-anterior-superior\nspace directions: ";
-  words("a.nrrd", nrrd(space + "(1,0,0) (0.6,0.8,0) (0,0,1)\n", bytes()));
+  words("a.nrrd", nrrdScan(space + "(1,0,0) (0.6,0.8,0) (0,0,1)\n", bytes()));
   EXPECT_THAT(warnings_, ElementsAre(HasSubstr("its axes are not at right angles")));
-  words("a.nrrd", nrrd(space + "(0.8,0.6,0) (-0.6,0.8,0) (0,0,1)\n", bytes()));
+  words("a.nrrd", nrrdScan(space + "(0.8,0.6,0) (-0.6,0.8,0) (0,0,1)\n", bytes()));
   EXPECT_THAT(warnings_, IsEmpty());
 }
 
 TEST_F(Scans, EndsOfAxesSayTheirSpacings) {
   const auto sides = [&](const std::string &more) {
-    words("a.nrrd", nrrd(kThree + "encoding: raw\naxis mins: 0 -3 nan\naxismaxs: 8 3 4\n" + more, bytes()));
+    words("a.nrrd",
+          nrrdScan(kThree + "encoding: raw\naxis mins: 0 -3 nan\naxismaxs: 8 3 4\n" + more, bytes()));
     return std::array<double, 3>{map_[0][0], map_[1][1], map_[2][2]};
   };
   EXPECT_EQ(sides(""), (std::array<double, 3>{2, 2, 1}));
@@ -189,12 +195,12 @@ TEST_F(Scans, EndsOfAxesSayTheirSpacings) {
 
 TEST_F(Scans, ASpacingOf0IsNone) {
   options_.isAutomatic = true;
-  words("a.nrrd", nrrd(kThree + "encoding: raw\nspacings: 1 0 1\n", bytes()));
+  words("a.nrrd", nrrdScan(kThree + "encoding: raw\nspacings: 1 0 1\n", bytes()));
   EXPECT_THAT(warnings_, ElementsAre("its spacings have a 0, which is taken as 1"));
 }
 
 TEST_F(Scans, UnknownFieldsAreTold) {
-  words("a.nrrd", nrrd(kThree + "encoding: raw\nspice: much\ncontent: a scan\n", bytes()));
+  words("a.nrrd", nrrdScan(kThree + "encoding: raw\nspice: much\ncontent: a scan\n", bytes()));
   EXPECT_THAT(warnings_, ElementsAre(HasSubstr("'spice' is not known")));
 }
 

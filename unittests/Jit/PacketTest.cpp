@@ -44,7 +44,7 @@ extern "C" void singles(const uint *in, uint *out, uint count) {
 )";
 }
 
-using Function = void (*)(const std::uint32_t *in, std::uint32_t *out, std::uint32_t count);
+using PacketFunction = void (*)(const std::uint32_t *in, std::uint32_t *out, std::uint32_t count);
 
 struct Body {
   const char *name;
@@ -125,8 +125,8 @@ TEST_P(Packets, DoWhatSingleLanesDo) {
       ASSERT_TRUE(code) << body.name << ": " << code.error().message;
       // 500: the last packet is not full.
       std::vector<std::uint32_t> packets(512, 1), singles(512, 1);
-      reinterpret_cast<Function>(*code->find("packets"))(in.data(), packets.data(), 500);
-      reinterpret_cast<Function>(*code->find("singles"))(in.data(), singles.data(), 500);
+      reinterpret_cast<PacketFunction>(*code->find("packets"))(in.data(), packets.data(), 500);
+      reinterpret_cast<PacketFunction>(*code->find("singles"))(in.data(), singles.data(), 500);
       EXPECT_EQ(packets, singles) << body.name << ", " << lanes << " lanes";
     }
 }
@@ -138,7 +138,7 @@ TEST_P(Packets, CountTheLanesAtWork) {
   ASSERT_TRUE(code) << code.error().message;
   const std::vector<std::uint32_t> in = {1, 0, 1, 1, 0, 0, 0, 0, 0, 1};
   std::vector<std::uint32_t> out(10);
-  reinterpret_cast<Function>(*code->find("packets"))(in.data(), out.data(), 10);
+  reinterpret_cast<PacketFunction>(*code->find("packets"))(in.data(), out.data(), 10);
   EXPECT_THAT(out, testing::ElementsAre(3, 0, 3, 3, 0, 0, 0, 0, 0, 1));
 }
 

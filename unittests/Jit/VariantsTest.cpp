@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr const char *kProcessors[] = {"x86-64-v3", "x86-64"};
+constexpr const char *kTwoProcessors[] = {"x86-64-v3", "x86-64"};
 
 /// Functions and a variable of the kinds of which a linker keeps one for a program.
 constexpr const char *kShared = R"(
@@ -28,7 +28,7 @@ extern "C" int answer() { return 10 * level(1) + count(); }
 )";
 
 Expected<std::string> compiled(const char *text, const char *dispatcher) {
-  return compileVariants({{"text.cpp", text}}, {.optimisation = 2}, kProcessors,
+  return compileVariants({{"text.cpp", text}}, {.optimisation = 2}, kTwoProcessors,
                          {"dispatch.cpp", dispatcher});
 }
 

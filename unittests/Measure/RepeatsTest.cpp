@@ -14,10 +14,10 @@ TEST(Repeats, HaveAMedianAndASpread) {
 }
 
 TEST(Repeats, OfTheSameWorkAreEqualWithinTheSpread) {
-  EXPECT_TRUE(areEqual({1.00, 1.03, 0.99}, {1.01, 0.98, 1.02}));
-  EXPECT_TRUE(areEqual({1, 1, 1}, {1, 1, 1}));
-  EXPECT_FALSE(areEqual({1.00, 1.01, 1.00}, {1.10, 1.11, 1.10}));
-  EXPECT_FALSE(areEqual({1.10, 1.11, 1.10}, {1.00, 1.01, 1.00}));
+  EXPECT_TRUE(areEqual(Repeats{1.00, 1.03, 0.99}, Repeats{1.01, 0.98, 1.02}));
+  EXPECT_TRUE(areEqual(Repeats{1, 1, 1}, Repeats{1, 1, 1}));
+  EXPECT_FALSE(areEqual(Repeats{1.00, 1.01, 1.00}, Repeats{1.10, 1.11, 1.10}));
+  EXPECT_FALSE(areEqual(Repeats{1.10, 1.11, 1.10}, Repeats{1.00, 1.01, 1.00}));
 }
 
 } // namespace

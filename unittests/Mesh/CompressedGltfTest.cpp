@@ -12,7 +12,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-using Triangles = std::vector<std::array<Corner, 3>>;
+using Triangles = std::vector<std::array<ReadCorner, 3>>;
 
 /// A grid of triangles with a corner at each whole number, which quantizing to 2^n - 1 steps keeps.
 struct GridMesh {
@@ -34,7 +34,7 @@ struct GridMesh {
   Triangles triangles() const {
     Triangles all;
     for (std::size_t i = 0; i < indices.size(); i += 3) {
-      std::array<Corner, 3> triangle;
+      std::array<ReadCorner, 3> triangle;
       for (std::size_t corner = 0; corner < 3; ++corner)
         for (std::size_t axis = 0; axis < 3; ++axis)
           triangle[corner][axis] = positions[3 * indices[i + corner] + axis];
@@ -45,7 +45,7 @@ struct GridMesh {
   }
 
   /// The same triangle with its least corner first.
-  static std::array<Corner, 3> turned(std::array<Corner, 3> triangle) {
+  static std::array<ReadCorner, 3> turned(std::array<ReadCorner, 3> triangle) {
     std::ranges::rotate(triangle, std::ranges::min_element(triangle));
     return triangle;
   }

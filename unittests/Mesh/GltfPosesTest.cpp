@@ -39,7 +39,7 @@ private:
   int count_ = 0;
 };
 
-using Triangle = std::array<Corner, 3>;
+using PosedTriangle = std::array<ReadCorner, 3>;
 
 class GltfPoses : public LoadTest {
 protected:
@@ -51,7 +51,7 @@ protected:
     folder_.file("p.bin", arrays.buffer());
     return problem("p.gltf", arrays.model(rest));
   }
-  std::vector<Triangle> posed(const Arrays &arrays, const std::string &rest) {
+  std::vector<PosedTriangle> posed(const Arrays &arrays, const std::string &rest) {
     const TriangleScene scene = pose(arrays, rest);
     EXPECT_TRUE(scene.warnings.empty()) << scene.warnings[0];
     return trianglesOf(scene);
@@ -87,7 +87,7 @@ const std::string kTargets =
 TEST_F(GltfPoses, MorphTargetsByTheWeightsOfTheMesh) {
   const auto triangles =
       posed(morphs(), R"("nodes":[{"mesh":0}],"meshes":[{)" + kTargets + R"(,"weights":[0.5,1]}])");
-  EXPECT_EQ(triangles, (std::vector<Triangle>{{{{0, 0, 0}, {2, 0, 0}, {0, 1, 4}}}}));
+  EXPECT_EQ(triangles, (std::vector<PosedTriangle>{{{{0, 0, 0}, {2, 0, 0}, {0, 1, 4}}}}));
 }
 
 TEST_F(GltfPoses, WeightsOfANodeComeBeforeThoseOfItsMesh) {
@@ -96,10 +96,10 @@ TEST_F(GltfPoses, WeightsOfANodeComeBeforeThoseOfItsMesh) {
       posed(morphs(), R"("nodes":[{"mesh":0,"weights":[0,-1],"scale":[2,2,2]},{"mesh":0,"weights":[0,0]},)"
                       R"({"mesh":0},{"mesh":0,"weights":[2]}],"meshes":[{)" +
                           kTargets + R"(,"weights":[1,0]}])");
-  EXPECT_EQ(triangles, (std::vector<Triangle>{{{{0, 0, 0}, {2, 0, 0}, {0, 2, -8}}},
-                                              {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}},
-                                              {{{0, 0, 0}, {3, 0, 0}, {0, 1, 0}}},
-                                              {{{0, 0, 0}, {5, 0, 0}, {0, 1, 0}}}}));
+  EXPECT_EQ(triangles, (std::vector<PosedTriangle>{{{{0, 0, 0}, {2, 0, 0}, {0, 2, -8}}},
+                                                   {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}},
+                                                   {{{0, 0, 0}, {3, 0, 0}, {0, 1, 0}}},
+                                                   {{{0, 0, 0}, {5, 0, 0}, {0, 1, 0}}}}));
 }
 
 TEST_F(GltfPoses, MeshesWithoutWeightsAreSharedAndStayInPlace) {
@@ -129,7 +129,7 @@ TEST_F(GltfPoses, JointsPlaceWhatIsBoundToThem) {
                      R"({"translation":[4,0,0],"children":[3]},{"translation":[6,0,0]}],)"
                      R"("skins":[{"joints":[3,1]}],)" +
                          kSkinned);
-  EXPECT_EQ(triangles, (std::vector<Triangle>{{{{10, 0, 0}, {101, 0, 0}, {55, 1, 0}}}}));
+  EXPECT_EQ(triangles, (std::vector<PosedTriangle>{{{{10, 0, 0}, {101, 0, 0}, {55, 1, 0}}}}));
 }
 
 TEST_F(GltfPoses, InverseBindMatricesComeFirst) {
@@ -141,7 +141,7 @@ TEST_F(GltfPoses, InverseBindMatricesComeFirst) {
   const auto triangles = posed(arrays, R"("nodes":[{"mesh":0,"skin":0},{"scale":[4,4,4]}],)"
                                        R"("skins":[{"joints":[1,1],"inverseBindMatrices":3}],)" +
                                            kSkinned);
-  EXPECT_EQ(triangles, (std::vector<Triangle>{{{{0, 0, 0}, {4, 0, -32}, {0, 3, -16}}}}));
+  EXPECT_EQ(triangles, (std::vector<PosedTriangle>{{{{0, 0, 0}, {4, 0, -32}, {0, 3, -16}}}}));
 }
 
 TEST_F(GltfPoses, WeightsOfAnyKindAreShares) {
@@ -153,7 +153,7 @@ TEST_F(GltfPoses, WeightsOfAnyKindAreShares) {
   const auto triangles = posed(
       arrays,
       R"("nodes":[{"mesh":0,"skin":0},{},{"translation":[0,0,8]}],"skins":[{"joints":[1,2]}],)" + kSkinned);
-  EXPECT_EQ(triangles, (std::vector<Triangle>{{{{0, 0, 6}, {1, 0, 0}, {0, 1, 8}}}}));
+  EXPECT_EQ(triangles, (std::vector<PosedTriangle>{{{{0, 0, 6}, {1, 0, 0}, {0, 1, 8}}}}));
 }
 
 TEST_F(GltfPoses, MoreThanFourJoints) {
@@ -164,7 +164,7 @@ TEST_F(GltfPoses, MoreThanFourJoints) {
       arrays, R"("nodes":[{"mesh":0,"skin":0},{},{"translation":[0,0,8]}],"skins":[{"joints":[1,1,2]}],)"
               R"("meshes":[{"primitives":[{"attributes":{"POSITION":0,"JOINTS_0":1,"WEIGHTS_0":2,)"
               R"("JOINTS_1":3,"WEIGHTS_1":4}}]}])");
-  EXPECT_EQ(triangles, (std::vector<Triangle>{{{{0, 0, 4}, {1, 0, 0}, {0, 1, 0}}}}));
+  EXPECT_EQ(triangles, (std::vector<PosedTriangle>{{{{0, 0, 4}, {1, 0, 0}, {0, 1, 0}}}}));
 }
 
 TEST_F(GltfPoses, AHatBesideABodyStaysWhereItIs) {
@@ -173,10 +173,10 @@ TEST_F(GltfPoses, AHatBesideABodyStaysWhereItIs) {
       posed(bound(), R"("nodes":[{"mesh":0,"skin":0,"translation":[0,5,0]},{"translation":[0,0,9]},)"
                      R"({"mesh":0}],"skins":[{"joints":[1,1]}],"meshes":[{"primitives":[{"attributes":)"
                      R"({"POSITION":0,"JOINTS_0":1,"WEIGHTS_0":2}},{"attributes":{"POSITION":0}}]}])");
-  EXPECT_EQ(triangles, (std::vector<Triangle>{{{{0, 0, 9}, {1, 0, 9}, {0, 1, 9}}},
-                                              {{{0, 5, 0}, {1, 5, 0}, {0, 6, 0}}},
-                                              {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}},
-                                              {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}}));
+  EXPECT_EQ(triangles, (std::vector<PosedTriangle>{{{{0, 0, 9}, {1, 0, 9}, {0, 1, 9}}},
+                                                   {{{0, 5, 0}, {1, 5, 0}, {0, 6, 0}}},
+                                                   {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}},
+                                                   {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}}));
 }
 
 TEST_F(GltfPoses, MorphsComeBeforeSkins) {
@@ -186,7 +186,7 @@ TEST_F(GltfPoses, MorphsComeBeforeSkins) {
       arrays, R"("nodes":[{"mesh":0,"skin":0,"weights":[1]},{"scale":[3,3,3]}],"skins":[{"joints":[1,1]}],)"
               R"("meshes":[{"primitives":[{"attributes":{"POSITION":0,"JOINTS_0":1,"WEIGHTS_0":2},)"
               R"("targets":[{"POSITION":3}]}]}])");
-  EXPECT_EQ(triangles, (std::vector<Triangle>{{{{3, 0, 0}, {3, 0, 0}, {0, 3, 0}}}}));
+  EXPECT_EQ(triangles, (std::vector<PosedTriangle>{{{{3, 0, 0}, {3, 0, 0}, {0, 3, 0}}}}));
 }
 
 TEST_F(GltfPoses, AnimationsAreToldOf) {

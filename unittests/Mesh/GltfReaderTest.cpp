@@ -55,8 +55,8 @@ TEST_F(GltfReader, NodesAndInstances) {
   EXPECT_EQ(scene.parts.size(), 1u);
   const auto triangles = trianglesOf(scene);
   ASSERT_EQ(triangles.size(), 4u);
-  EXPECT_EQ(triangles[0], (std::array<Corner, 3>{{{10, 0, 0}, {11, 0, 0}, {11, 1, 0}}}));
-  EXPECT_EQ(triangles[3], (std::array<Corner, 3>{{{0, 5, 0}, {2, 7, 0}, {0, 7, 0}}}));
+  EXPECT_EQ(triangles[0], (std::array<ReadCorner, 3>{{{10, 0, 0}, {11, 0, 0}, {11, 1, 0}}}));
+  EXPECT_EQ(triangles[3], (std::array<ReadCorner, 3>{{{0, 5, 0}, {2, 7, 0}, {0, 7, 0}}}));
 }
 
 TEST_F(GltfReader, NoSceneIsAllRoots) {
@@ -70,7 +70,7 @@ TEST_F(GltfReader, RotationComesBetweenScaleAndTranslation) {
   // A quarter of a turn about z; the quaternion need not have length 1.
   const TriangleScene scene = loadModel(R"("nodes":[{"mesh":0,"translation":[0,0,7],"rotation":[0,0,2,2],
     "scale":[3,1,1]}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}])");
-  const Corner corner = trianglesOf(scene)[0][1];
+  const ReadCorner corner = trianglesOf(scene)[0][1];
   EXPECT_NEAR(corner[0], 0, 1e-12);
   EXPECT_NEAR(corner[1], 3, 1e-12);
   EXPECT_EQ(corner[2], 7);
@@ -82,7 +82,7 @@ TEST_F(GltfReader, RotationOfAnyQuaternion) {
     {"rotation":[1,2,3,4],"scale":[3,6,9],"children":[2]},{"mesh":0,"matrix":[0,1,0,0,0,0,1,0,1,0,0,0,0,0,0,1]}],
     "meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}])");
   const auto triangles = trianglesOf(scene);
-  const std::array<Corner, 2> expected{{{-3.6, 4.8, 3}, {2.6, 3.2, 10}}};
+  const std::array<ReadCorner, 2> expected{{{-3.6, 4.8, 3}, {2.6, 3.2, 10}}};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     EXPECT_NEAR(triangles[0][2][axis], expected[0][axis], 1e-12);
     EXPECT_NEAR(triangles[2][2][axis], expected[1][axis], 1e-12);
@@ -96,7 +96,7 @@ TEST_F(GltfReader, DeepTreesAreNoProblem) {
     nodes += R"(,{"translation":[1,0,0],"children":[)" + std::to_string(i) + "]}";
   const TriangleScene scene =
       loadModel(nodes + R"(],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}])");
-  EXPECT_EQ(trianglesOf(scene)[0][0], (Corner{depth, 0, 0}));
+  EXPECT_EQ(trianglesOf(scene)[0][0], (ReadCorner{depth, 0, 0}));
 }
 
 TEST_F(GltfReader, BuffersAreNotCopied) {
@@ -111,7 +111,7 @@ TEST_F(GltfReader, DataUris) {
     "accessors":[{"bufferView":0,"componentType":5120,"count":3,"type":"VEC3"}],
     "bufferViews":[{"buffer":0,"byteLength":12,"byteStride":4,"byteOffset":1}],
     "buffers":[{"byteLength":13,"uri":"data:;base64,/wECAwAEBQYAB/j//w=="}]})");
-  EXPECT_EQ(trianglesOf(scene)[0], (std::array<Corner, 3>{{{1, 2, 3}, {4, 5, 6}, {7, -8, -1}}}));
+  EXPECT_EQ(trianglesOf(scene)[0], (std::array<ReadCorner, 3>{{{1, 2, 3}, {4, 5, 6}, {7, -8, -1}}}));
 }
 
 TEST_F(GltfReader, BinaryChunk) {
@@ -136,13 +136,13 @@ TEST_F(GltfReader, SparseRowsReplaceOthers) {
   // The third index is 2: row 2 becomes row 1.
   const TriangleScene scene = loadModel(
       R"("nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":4},"indices":1}]}])");
-  EXPECT_EQ(trianglesOf(scene)[0], (std::array<Corner, 3>{{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}}}));
+  EXPECT_EQ(trianglesOf(scene)[0], (std::array<ReadCorner, 3>{{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}}}));
 }
 
 TEST_F(GltfReader, AccessorsWithoutDataAreZero) {
   const TriangleScene scene =
       loadModel(R"("nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":6},"mode":1}]}])");
-  EXPECT_EQ(trianglesOf(scene)[0], (std::array<Corner, 3>{}));
+  EXPECT_EQ(trianglesOf(scene)[0], (std::array<ReadCorner, 3>{}));
 }
 
 TEST_F(GltfReader, ColoursOfVertices) {
@@ -157,7 +157,7 @@ TEST_F(GltfReader, InstancesOfTheGpu) {
     "extensions":{"EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":0,"SCALE":0}}}}],
     "meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}])");
   ASSERT_EQ(scene.instances.size(), 4u);
-  EXPECT_EQ(trianglesOf(scene)[4][1], (Corner{2, 1, 1}));
+  EXPECT_EQ(trianglesOf(scene)[4][1], (ReadCorner{2, 1, 1}));
 }
 
 TEST_F(GltfReader, TexturedMaterials) {

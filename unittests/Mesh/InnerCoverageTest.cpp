@@ -1,20 +1,15 @@
 // One voxel where a face lies between two: meshes of voxels come back as the same voxels.
 #include "Mesh/Voxelize/MeshVoxels.h"
 #include "SceneTesting.h"
-#include "SolidShapes.h"
-#include "Source/SourceTesting.h"
+#include "SolidTesting.h"
 #include "TestLength.h"
-#include "voxc/Mesh/SolidMesh.h"
 
 #include <random>
-#include <set>
 
 namespace voxc::test {
 namespace {
 
 constexpr int kSide = 12;
-constexpr std::uint32_t kFill = 0xff332211;
-using Cells = std::set<std::uint64_t>;
 
 /// The faces of voxels towards empty cells, turned outwards; each is cut by either diagonal.
 Soup facesOf(const Cells &voxels, std::mt19937 &random) {
@@ -67,13 +62,6 @@ VoxelizeOptions onTheGrid() {
   options.bounds = {{0, 0, 0, kSide, kSide, kSide}};
   options.coverage = Coverage::Inner;
   return options;
-}
-
-Cells cellsOf(VoxelSource &source) {
-  Cells cells;
-  for (const auto &[code, word] : voxelsOf(source))
-    cells.insert(code);
-  return cells;
 }
 
 /// The voxels of a scene, alone and filled; both voxelizers agree.

@@ -118,7 +118,7 @@ TEST_F(LeftOut, LinesOfPlyThatEndByCarriageReturns) {
                            bytesOf<std::int32_t>({0, 1, 2});
   const TriangleScene binary =
       load("m.ply", withReturns("ply\nformat binary_little_endian 1.0\n" + head) + rows);
-  EXPECT_EQ(trianglesOf(binary)[0][2], (Corner{0, 2, 0}));
+  EXPECT_EQ(trianglesOf(binary)[0][2], (ReadCorner{0, 2, 0}));
   // Blanks behind a line mean nothing.
   EXPECT_EQ(countTriangles(
                 load("m.ply", "ply \r\nformat ascii 1.0 \r\n" + head + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")),

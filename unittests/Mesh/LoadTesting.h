@@ -5,11 +5,18 @@
 
 #include "voxc/Mesh/TriangleScene.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace voxc {
 
-using Corner = std::array<double, 3>;
+using ReadCorner = std::array<double, 3>;
+
+/// Whether one of them says that.
+inline bool has(const std::vector<std::string> &warnings, const std::string &what) {
+  return std::ranges::any_of(warnings,
+                             [&](const std::string &w) { return w.find(what) != std::string::npos; });
+}
 
 /// Loads files of a folder that disappears.
 class LoadTest : public testing::Test {
@@ -28,18 +35,18 @@ protected:
   std::shared_ptr<WorkingMemory> memory_ = WorkingMemory::create(std::uint64_t{64} << 20);
 };
 
-inline Corner transformed(const Transform &transform, const Corner &point) {
+inline ReadCorner transformed(const Transform &transform, const ReadCorner &point) {
   const glm::dvec3 moved = transform * glm::dvec4(point[0], point[1], point[2], 1);
   return {moved.x, moved.y, moved.z};
 }
 
 /// The corners of every triangle, in model space.
-inline std::vector<std::array<Corner, 3>> trianglesOf(const TriangleScene &scene) {
-  std::vector<std::array<Corner, 3>> triangles;
+inline std::vector<std::array<ReadCorner, 3>> trianglesOf(const TriangleScene &scene) {
+  std::vector<std::array<ReadCorner, 3>> triangles;
   for (const MeshInstance &instance : scene.instances) {
     const MeshPart &part = scene.parts[instance.part];
     for (std::uint64_t i = 0; i < part.triangles(); ++i) {
-      std::array<Corner, 3> &triangle = triangles.emplace_back();
+      std::array<ReadCorner, 3> &triangle = triangles.emplace_back();
       for (std::size_t corner = 0; corner < 3; ++corner)
         triangle[corner] = transformed(instance.toModel, readRow<3>(part.positions, part.corners(i)[corner]));
     }

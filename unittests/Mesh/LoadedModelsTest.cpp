@@ -27,12 +27,12 @@ protected:
   if (scene.parts.empty())                                                                                   \
   return
 
-using Box = std::array<Corner, 2>;
+using Box = std::array<ReadCorner, 2>;
 
 Box boxOf(const TriangleScene &scene) {
-  Box box{Corner{1e300, 1e300, 1e300}, Corner{-1e300, -1e300, -1e300}};
+  Box box{ReadCorner{1e300, 1e300, 1e300}, ReadCorner{-1e300, -1e300, -1e300}};
   for (const auto &triangle : trianglesOf(scene))
-    for (const Corner &corner : triangle)
+    for (const ReadCorner &corner : triangle)
       for (std::size_t axis = 0; axis < 3; ++axis) {
         box[0][axis] = std::min(box[0][axis], corner[axis]);
         box[1][axis] = std::max(box[1][axis], corner[axis]);

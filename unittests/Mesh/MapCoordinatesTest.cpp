@@ -11,39 +11,39 @@ namespace voxc {
 namespace {
 
 /// UTM's easting, a height and its northing, which float32 has in steps of 1/32, 2^-16 and 1/2.
-constexpr Corner kUtm{500123.25, 200.25, 5412345.5};
+constexpr ReadCorner kUtm{500123.25, 200.25, 5412345.5};
 constexpr std::size_t kTriangles = 60;
 
 /// Corners in steps of 2^-12, which move without any rounding of doubles.
-std::vector<Corner> corners() {
+std::vector<ReadCorner> corners() {
   std::mt19937 random(3);
-  std::vector<Corner> result(3 * kTriangles);
-  for (Corner &corner : result)
+  std::vector<ReadCorner> result(3 * kTriangles);
+  for (ReadCorner &corner : result)
     for (double &coordinate : corner)
       coordinate = static_cast<double>(random() % 40961) / 4096;
   return result;
 }
 
-std::string lineOf(const char *word, const Corner &corner, const Corner &origin) {
+std::string lineOf(const char *word, const ReadCorner &corner, const ReadCorner &origin) {
   char line[160];
   std::snprintf(line, sizeof line, "%s%.12f %.12f %.12f\n", word, corner[0] + origin[0],
                 corner[1] + origin[1], corner[2] + origin[2]);
   return line;
 }
 
-std::string objAt(const Corner &origin) {
+std::string objAt(const ReadCorner &origin) {
   std::string text;
-  for (const Corner &corner : corners())
+  for (const ReadCorner &corner : corners())
     text += lineOf("v ", corner, origin);
   for (std::size_t i = 1; i < 3 * kTriangles; i += 3)
     text += "f " + std::to_string(i) + " " + std::to_string(i + 1) + " " + std::to_string(i + 2) + "\n";
   return text;
 }
 
-std::string stlAt(const Corner &origin) {
+std::string stlAt(const ReadCorner &origin) {
   std::string text = "solid s\n";
   std::size_t number = 0;
-  for (const Corner &corner : corners()) {
+  for (const ReadCorner &corner : corners()) {
     if (number % 3 == 0)
       text += "facet normal 0 0 0\nouter loop\n";
     text += lineOf("vertex ", corner, origin);
@@ -54,11 +54,11 @@ std::string stlAt(const Corner &origin) {
 }
 
 /// What programs call float here has as many digits as what they call double.
-std::string plyAt(const Corner &origin) {
+std::string plyAt(const ReadCorner &origin) {
   std::string text = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(3 * kTriangles) +
                      "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
                      std::to_string(kTriangles) + "\nproperty list uchar int vertex_indices\nend_header\n";
-  for (const Corner &corner : corners())
+  for (const ReadCorner &corner : corners())
     text += lineOf("", corner, origin);
   for (std::size_t i = 0; i < 3 * kTriangles; i += 3)
     text += "3 " + std::to_string(i) + " " + std::to_string(i + 1) + " " + std::to_string(i + 2) + "\n";
@@ -89,7 +89,7 @@ TEST_F(MapCoordinates, AreKeptFromTextToVoxels) {
 
 TEST_F(MapCoordinates, OfPlanetsAndOfAtomsAreKept) {
   const std::string triangle = "v 1e300 0 0\nv 1e300 1e285 0\nv 1e300 0 1e285\nf 1 2 3\n";
-  EXPECT_EQ(trianglesOf(load("planet.obj", triangle))[0][1], (Corner{1e300, 1e285, 0}));
+  EXPECT_EQ(trianglesOf(load("planet.obj", triangle))[0][1], (ReadCorner{1e300, 1e285, 0}));
   EXPECT_FALSE(voxels("planet.obj", triangle).empty());
   EXPECT_FALSE(voxels("atom.obj", "v 1e-60 0 0\nv 2e-60 0 0\nv 0 1e-60 0\nf 1 2 3\n").empty());
 }

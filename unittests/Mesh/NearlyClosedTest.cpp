@@ -1,48 +1,28 @@
 // Solids of meshes with small holes, and of double-sided ones.
 #include "SceneTesting.h"
-#include "SolidShapes.h"
-#include "Source/SourceTesting.h"
+#include "SolidTesting.h"
 #include "TestLength.h"
-#include "voxc/Mesh/SolidMesh.h"
 
 #include <algorithm>
 #include <random>
-#include <set>
 
 namespace voxc::test {
 namespace {
 
-constexpr std::uint32_t kFill = 0xff332211;
 constexpr std::array<Coverage, 3> kCoverages{Coverage::Conservative, Coverage::Thin, Coverage::Inner};
-using Cells = std::set<std::uint64_t>;
 
-VoxelizeOptions optionsAt(int resolution, Coverage coverage = Coverage::Conservative) {
-  VoxelizeOptions options;
-  options.resolution = resolution;
-  options.bounds = {{0, 0, 0, 1, 1, 1}};
-  options.coverage = coverage;
-  return options;
-}
-
-Cells cellsOf(VoxelSource &source) {
-  Cells cells;
-  for (const auto &[code, word] : voxelsOf(source))
-    cells.insert(code);
-  return cells;
-}
-
-struct Solid {
+struct ClosedSolid {
   Cells surface;
   Cells cells;
   SolidMesh told; ///< Without its source.
 };
 
-Solid solidOf(const Soup &soup, const VoxelizeOptions &options) {
+ClosedSolid closedSolid(const Soup &soup, const VoxelizeOptions &options) {
   const auto memory = WorkingMemory::create(std::uint64_t{1} << 26);
   const auto scene = soupOf(soup);
   auto surface = makeMeshSource(scene, options, memory);
   EXPECT_TRUE(surface) << surface.error().message;
-  Solid solid;
+  ClosedSolid solid;
   solid.surface = cellsOf(**surface);
   auto filled = fillMesh(*scene, options, std::move(*surface), kFill, {memory});
   EXPECT_TRUE(filled) << filled.error().message;
@@ -78,7 +58,8 @@ TEST(NearlyClosed, SmallHolesAreClosed) {
     const Cells inside = expectedOf({}, whole, resolution);
     for (const Coverage coverage : kCoverages)
       for (const bool isFlipped : {false, true}) {
-        const Solid solid = solidOf(isFlipped ? flipped(open) : open, optionsAt(resolution, coverage));
+        const ClosedSolid solid =
+            closedSolid(isFlipped ? flipped(open) : open, optionsAt(resolution, coverage));
         Cells expected = solid.surface;
         expected.insert(inside.begin(), inside.end());
         EXPECT_EQ(solid.cells, expected) << resolution;
@@ -101,7 +82,7 @@ TEST(NearlyClosed, AWideHoleIsCutOffByItsFan) {
     if (whole[i][1] + whole[i + 1][1] + whole[i + 2][1] < 3 * 0.859f)
       bowl.insert(bowl.end(), whole.begin() + static_cast<std::ptrdiff_t>(i),
                   whole.begin() + static_cast<std::ptrdiff_t>(i + 3));
-  const Solid solid = solidOf(bowl, optionsAt(24));
+  const ClosedSolid solid = closedSolid(bowl, optionsAt(24));
   EXPECT_EQ(solid.told.holes, 1u);
   Cells expected = solid.surface;
   for (const std::uint64_t code : expectedOf({}, whole, 24))
@@ -123,12 +104,12 @@ Soup cracked(float beside) {
 }
 
 TEST(NearlyClosed, CornersOnEdgesMakeNoHoles) {
-  const Solid solid = solidOf(cracked(0), optionsAt(20));
+  const ClosedSolid solid = closedSolid(cracked(0), optionsAt(20));
   EXPECT_EQ(solid.told.rule, SolidRule::Winding);
   EXPECT_EQ(solid.told.open.count, 0u);
   EXPECT_EQ(solid.told.holes, 0u);
-  EXPECT_EQ(solid.cells, solidOf(cube(0.2f, 0.8f), optionsAt(20)).cells);
-  const Solid beside = solidOf(cracked(0.001f), optionsAt(20));
+  EXPECT_EQ(solid.cells, closedSolid(cube(0.2f, 0.8f), optionsAt(20)).cells);
+  const ClosedSolid beside = closedSolid(cracked(0.001f), optionsAt(20));
   EXPECT_EQ(beside.told.rule, SolidRule::Winding);
   EXPECT_EQ(beside.told.open.count, 3u);
   EXPECT_EQ(beside.told.holes, 1u);
@@ -165,7 +146,7 @@ TEST(NearlyClosed, MergedFacesOfVoxelsAreClosed) {
       for (std::size_t axis = 0; axis < 3; ++axis)
         for (const bool isHigh : {false, true})
           strips(low, high, axis, isHigh);
-    const Solid solid = solidOf(soup, optionsAt(8, Coverage::Inner));
+    const ClosedSolid solid = closedSolid(soup, optionsAt(8, Coverage::Inner));
     EXPECT_EQ(solid.told.rule, SolidRule::Winding);
     EXPECT_EQ(solid.told.open.count, 0u);
     EXPECT_EQ(solid.cells.size(), 8u * 4 * 4 + 4 * 4 * 4);
@@ -178,7 +159,7 @@ TEST(NearlyClosed, HolesAmongFlippedTriangles) {
     Soup mixed = whole;
     for (std::size_t i = 0; i < mixed.size(); i += step)
       std::swap(mixed[i + 1], mixed[i + 2]);
-    const Solid solid = solidOf(without(mixed, 390), optionsAt(20));
+    const ClosedSolid solid = closedSolid(without(mixed, 390), optionsAt(20));
     // Few of them are taken for holes that are closed twice.
     EXPECT_EQ(solid.told.rule, step == 21 ? SolidRule::Parity : SolidRule::Winding);
     EXPECT_GT(solid.told.holes, 0u);
@@ -209,12 +190,12 @@ TEST(NearlyClosed, DoubleSidedMeshesAreSolid) {
   for (const Soup &whole :
        {sphere(0.4), torus(0.3, 0.12), cube(0.25f, 0.75f), joined(sphere(0.45), flipped(sphere(0.25)))})
     for (const Coverage coverage : kCoverages) {
-      const Solid solid = solidOf(doubled(whole, random), optionsAt(24, coverage));
+      const ClosedSolid solid = closedSolid(doubled(whole, random), optionsAt(24, coverage));
       EXPECT_TRUE(solid.told.isDoubleSided);
       EXPECT_EQ(solid.told.open.count, 0u);
       // Which way it faces is not known, and the cube lies on faces of voxels.
       const bool isOther = coverage == Coverage::Inner && whole.size() == 36;
-      EXPECT_EQ(solid.cells == solidOf(whole, optionsAt(24, coverage)).cells, !isOther);
+      EXPECT_EQ(solid.cells == closedSolid(whole, optionsAt(24, coverage)).cells, !isOther);
     }
 }
 
@@ -241,7 +222,7 @@ TEST(NearlyClosed, DoubleSidedMeshesMayBeCutInTwoWays) {
   for (const auto &[sides, whole] :
        {std::pair(sphere(0.4), sphere(0.4)), std::pair(torus(0.3, 0.12), torus(0.3, 0.12)),
         std::pair(shell, joined(sphere(0.45), flipped(sphere(0.25))))}) {
-    const Solid solid = solidOf(doubledOtherwise(sides, random), optionsAt(24));
+    const ClosedSolid solid = closedSolid(doubledOtherwise(sides, random), optionsAt(24));
     EXPECT_TRUE(solid.told.isDoubleSided);
     EXPECT_EQ(solid.told.open.count, 0u);
     EXPECT_EQ(solid.cells, expectedOf(solid.surface, whole, 24));
@@ -249,13 +230,13 @@ TEST(NearlyClosed, DoubleSidedMeshesMayBeCutInTwoWays) {
   // A pane of one quad closes nothing.
   const Soup pane{{0.2f, 0.2f, 0.5f}, {0.8f, 0.2f, 0.5f}, {0.8f, 0.8f, 0.5f},
                   {0.2f, 0.2f, 0.5f}, {0.8f, 0.8f, 0.5f}, {0.2f, 0.8f, 0.5f}};
-  EXPECT_FALSE(solidOf(doubledOtherwise(pane, random), optionsAt(24)).told.isDoubleSided);
+  EXPECT_FALSE(closedSolid(doubledOtherwise(pane, random), optionsAt(24)).told.isDoubleSided);
 }
 
 TEST(NearlyClosed, DoubleSidedMeshesMayHaveHoles) {
   std::mt19937 random(2);
   const Soup whole = sphere(0.4);
-  const Solid solid = solidOf(doubled(without(without(whole, 500), 300), random), optionsAt(24));
+  const ClosedSolid solid = closedSolid(doubled(without(without(whole, 500), 300), random), optionsAt(24));
   EXPECT_TRUE(solid.told.isDoubleSided);
   EXPECT_EQ(solid.told.holes, 2u);
   EXPECT_EQ(solid.told.open.count, 6u);
@@ -266,16 +247,16 @@ TEST(NearlyClosed, PartsOfBothKindsAreSolid) {
   std::mt19937 random(3);
   const Soup one = sphere(0.2, {0.25f, 0.25f, 0.25f});
   const Soup other = sphere(0.2, {0.7f, 0.7f, 0.7f});
-  EXPECT_EQ(solidOf(joined(one, doubled(other, random)), optionsAt(30)).cells,
-            solidOf(joined(one, other), optionsAt(30)).cells);
+  EXPECT_EQ(closedSolid(joined(one, doubled(other, random)), optionsAt(30)).cells,
+            closedSolid(joined(one, other), optionsAt(30)).cells);
   // A pane in a closed mesh, and the wall between two bodies that share one, change nothing.
   const Soup pane{{0.3f, 0.3f, 0.3f}, {0.7f, 0.3f, 0.3f}, {0.3f, 0.7f, 0.3f}};
-  const Solid glazed = solidOf(joined(sphere(0.4), doubled(pane, random)), optionsAt(24));
+  const ClosedSolid glazed = closedSolid(joined(sphere(0.4), doubled(pane, random)), optionsAt(24));
   EXPECT_FALSE(glazed.told.isDoubleSided);
-  EXPECT_EQ(glazed.cells, solidOf(sphere(0.4), optionsAt(24)).cells);
+  EXPECT_EQ(glazed.cells, closedSolid(sphere(0.4), optionsAt(24)).cells);
   const Soup boxes =
       joined(box({0.1f, 0.2f, 0.2f}, {0.5f, 0.8f, 0.8f}), box({0.5f, 0.2f, 0.2f}, {0.9f, 0.8f, 0.8f}));
-  const Solid touching = solidOf(boxes, optionsAt(20));
+  const ClosedSolid touching = closedSolid(boxes, optionsAt(20));
   EXPECT_FALSE(touching.told.isDoubleSided);
   EXPECT_EQ(touching.cells, expectedOf(touching.surface, boxes, 20));
 }

@@ -71,7 +71,7 @@ TEST_F(ObjReader, IndicesOfAllForms) {
   ASSERT_EQ(triangles.size(), 3u);
   EXPECT_EQ(triangles[0], triangles[1]);
   EXPECT_EQ(triangles[0], triangles[2]);
-  EXPECT_EQ(triangles[0][1], (Corner{1, 0, 0}));
+  EXPECT_EQ(triangles[0][1], (ReadCorner{1, 0, 0}));
   // The face with all of its texture coordinates stands between two that lack some.
   ASSERT_EQ(scene.parts.size(), 3u);
   const MeshPart &part = scene.parts[1];
@@ -88,9 +88,9 @@ TEST_F(ObjReader, LinesAndPoints) {
   ASSERT_EQ(scene.parts.size(), 4u);
   const auto triangles = trianglesOf(scene);
   ASSERT_EQ(triangles.size(), 5u);
-  EXPECT_EQ(triangles[1], (std::array<Corner, 3>{{{1, 0, 0}, {0, 1, 0}, {0, 1, 0}}}));
-  EXPECT_EQ(triangles[2], (std::array<Corner, 3>{{{0, 1, 0}, {0, 1, 0}, {0, 1, 0}}}));
-  EXPECT_EQ(triangles[4], (std::array<Corner, 3>{{{0, 1, 0}, {0, 0, 0}, {0, 0, 0}}}));
+  EXPECT_EQ(triangles[1], (std::array<ReadCorner, 3>{{{1, 0, 0}, {0, 1, 0}, {0, 1, 0}}}));
+  EXPECT_EQ(triangles[2], (std::array<ReadCorner, 3>{{{0, 1, 0}, {0, 1, 0}, {0, 1, 0}}}));
+  EXPECT_EQ(triangles[4], (std::array<ReadCorner, 3>{{{0, 1, 0}, {0, 0, 0}, {0, 0, 0}}}));
 }
 
 TEST_F(ObjReader, ManyChangesOfMaterialMakeFewParts) {
@@ -102,8 +102,8 @@ TEST_F(ObjReader, ManyChangesOfMaterialMakeFewParts) {
   EXPECT_EQ(scene.parts[0].triangles(), 40000u);
   EXPECT_EQ(scene.parts[1].triangles(), 40000u);
   EXPECT_NE(scene.parts[0].material, scene.parts[1].material);
-  EXPECT_EQ(trianglesOf(scene)[79999][0], (Corner{7, 7, 7}));
-  EXPECT_EQ(trianglesOf(scene)[39999][0], (Corner{0, 0, 0}));
+  EXPECT_EQ(trianglesOf(scene)[79999][0], (ReadCorner{7, 7, 7}));
+  EXPECT_EQ(trianglesOf(scene)[39999][0], (ReadCorner{0, 0, 0}));
 }
 
 TEST_F(ObjReader, SeveralLibrariesInALine) {

@@ -6,23 +6,19 @@ namespace {
 
 using Colour = std::array<float, 4>;
 
-const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl a\nf 1/1 2/2 3/3\n";
+const std::string kTexturedTriangle =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl a\nf 1/1 2/2 3/3\n";
 
 class ObjSpellings : public LoadTest {
 protected:
   /// Loads a triangle with the material `a` of this library.
   TriangleScene loadWith(const std::string &library) {
     folder_.file("m.mtl", library);
-    return load("m.obj", "mtllib m.mtl\n" + kTriangle);
+    return load("m.obj", "mtllib m.mtl\n" + kTexturedTriangle);
   }
   Material materialWith(const std::string &library) { return materialOf(loadWith(library), 0); }
   std::vector<std::string> warningsWith(const std::string &library) { return loadWith(library).warnings; }
 };
-
-bool has(const std::vector<std::string> &warnings, const std::string &what) {
-  return std::ranges::any_of(warnings,
-                             [&](const std::string &w) { return w.find(what) != std::string::npos; });
-}
 
 TEST_F(ObjSpellings, BlackBesideATextureIsWhite) {
   folder_.file("t.tga", kImage);
@@ -75,7 +71,7 @@ TEST_F(ObjSpellings, WordsInAnyCase) {
 
 TEST_F(ObjSpellings, MarksOfUtf8ArePassedOver) {
   folder_.file("m.mtl", "\xef\xbb\xbfnewmtl a\nKd 0 1 0\n");
-  const TriangleScene scene = load("m.obj", "\xef\xbb\xbfmtllib m.mtl\n" + kTriangle);
+  const TriangleScene scene = load("m.obj", "\xef\xbb\xbfmtllib m.mtl\n" + kTexturedTriangle);
   EXPECT_EQ(materialOf(scene, 0).colour, (Colour{0, 1, 0, 1}));
   EXPECT_TRUE(scene.warnings.empty());
 }
@@ -87,7 +83,7 @@ TEST_F(ObjSpellings, WhatIsNotUsedIsSaidOnce) {
       "# map_x\nnewmtl b\nKe 1 0 0\nmap_Bump t.tga\nmap_Bump t.tga\nPm 0\nnewmtl c\nmap_Ka t.tga\n");
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_TRUE(has(warnings, "'m.mtl' these are not used: map_Bump, map_Ka"));
-  EXPECT_TRUE(has(load("m.obj", kTriangle + "vn 0 0 1\ng x\nusemap x\nfoo 1\nfoo 2\n").warnings,
+  EXPECT_TRUE(has(load("m.obj", kTexturedTriangle + "vn 0 0 1\ng x\nusemap x\nfoo 1\nfoo 2\n").warnings,
                   "passed over: 'foo', 'usemap'"));
 }
 
@@ -97,10 +93,10 @@ TEST_F(ObjSpellings, LibrariesBesideTheModel) {
        {"my\\ lib\\ rary.mtl", "\"my lib rary.mtl\"", "my lib rary.mtl", "My Lib Rary.MTL",
         "C:\\models\\my lib rary.mtl", "/nowhere/my\\ lib\\ rary.mtl", "my%20lib%20rary.mtl",
         "./my lib rary.mtl # of mine", "x.mtl my\\ lib\\ rary.mtl \"x y.mtl\""}) {
-    const TriangleScene scene = load("m.obj", "mtllib " + std::string(name) + "\n" + kTriangle);
+    const TriangleScene scene = load("m.obj", "mtllib " + std::string(name) + "\n" + kTexturedTriangle);
     EXPECT_EQ(materialOf(scene, 0).colour, (Colour{0, 1, 0, 1})) << name;
   }
-  const TriangleScene moved = load("m.obj", "mtllib C:\\models\\my lib rary.mtl\n" + kTriangle);
+  const TriangleScene moved = load("m.obj", "mtllib C:\\models\\my lib rary.mtl\n" + kTexturedTriangle);
   ASSERT_EQ(moved.warnings.size(), 1u);
   EXPECT_TRUE(has(moved.warnings, "beside the model is taken"));
 }
@@ -108,12 +104,13 @@ TEST_F(ObjSpellings, LibrariesBesideTheModel) {
 TEST_F(ObjSpellings, TheLibraryThatIsCalledAsTheModel) {
   folder_.file("own.mtl", "newmtl a\nKd 0 0 1\n");
   for (const char *line : {"mtllib gone.mtl\n", ""}) {
-    const TriangleScene scene = load("own.obj", line + kTriangle);
+    const TriangleScene scene = load("own.obj", line + kTexturedTriangle);
     EXPECT_EQ(materialOf(scene, 0).colour, (Colour{0, 0, 1, 1}));
     ASSERT_EQ(scene.warnings.size(), 1u);
     EXPECT_TRUE(has(scene.warnings, "'own.mtl' beside it is taken"));
   }
-  EXPECT_TRUE(has(load("other.obj", "mtllib gone.mtl\n" + kTriangle).warnings, "'gone.mtl' cannot be read"));
+  EXPECT_TRUE(
+      has(load("other.obj", "mtllib gone.mtl\n" + kTexturedTriangle).warnings, "'gone.mtl' cannot be read"));
 }
 
 TEST_F(ObjSpellings, ImagesBesideTheModel) {
@@ -217,12 +214,14 @@ std::string wide(const std::string &text, const std::string &mark, std::size_t b
 
 TEST_F(ObjSpellings, TextOfUtf16IsCalledThat) {
   for (const std::string mark : {"\xff\xfe", ""}) {
-    EXPECT_NE(problem("m.obj", wide(kTriangle, mark, 0, 1)).find("it is UTF-16 text"), std::string::npos);
-    EXPECT_NE(
-        problem("m.obj", wide(kTriangle, mark.empty() ? "" : "\xfe\xff", 1, 0)).find("save it as UTF-8"),
-        std::string::npos);
+    EXPECT_NE(problem("m.obj", wide(kTexturedTriangle, mark, 0, 1)).find("it is UTF-16 text"),
+              std::string::npos);
+    EXPECT_NE(problem("m.obj", wide(kTexturedTriangle, mark.empty() ? "" : "\xfe\xff", 1, 0))
+                  .find("save it as UTF-8"),
+              std::string::npos);
   }
-  EXPECT_NE(problem("m.obj", wide(kTriangle, std::string("\xff\xfe\0\0", 4), 0, 3)).find("it is UTF-32 text"),
+  EXPECT_NE(problem("m.obj", wide(kTexturedTriangle, std::string("\xff\xfe\0\0", 4), 0, 3))
+                .find("it is UTF-32 text"),
             std::string::npos);
   const std::vector<std::string> warnings = warningsWith(wide("newmtl a\nKd 1 0 0\n", "\xff\xfe", 0, 1));
   EXPECT_TRUE(has(warnings, "the material library 'm.mtl' is not used: it is UTF-16 text"));

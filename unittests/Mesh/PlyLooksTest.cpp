@@ -17,11 +17,6 @@ Rgba colourOf(const MeshPart &part, std::uint64_t triangle, std::size_t corner) 
   return bytes;
 }
 
-bool has(const std::vector<std::string> &warnings, const std::string &what) {
-  return std::ranges::any_of(warnings,
-                             [&](const std::string &w) { return w.find(what) != std::string::npos; });
-}
-
 class PlyLooks : public LoadTest {
 protected:
   /// Vertices of a unit square and the faces; `vertexRows` and `faceRows` begin with what the square has.
@@ -130,7 +125,7 @@ TEST_F(PlyLooks, ColoursOfFaces) {
     ASSERT_EQ(scene.parts.size(), 1u);
     EXPECT_EQ(colourOf(scene.parts[0], 0, 2), (Rgba{255, 0, 0, 255}));
     EXPECT_EQ(colourOf(scene.parts[0], 1, 0), (Rgba{0, 0, 255, 255}));
-    EXPECT_EQ(trianglesOf(scene)[1], (std::array<Corner, 3>{{{0, 0, 0}, {1, 1, 0}, {0, 1, 0}}}));
+    EXPECT_EQ(trianglesOf(scene)[1], (std::array<ReadCorner, 3>{{{0, 0, 0}, {1, 1, 0}, {0, 1, 0}}}));
     EXPECT_TRUE(scene.warnings.empty());
   }
   const TriangleScene quad =
@@ -158,7 +153,7 @@ TEST_F(PlyLooks, FacesBeforeVerticesHaveTheirColours) {
                "red\nproperty uchar green\nproperty uchar blue\nelement vertex 3\nproperty float x\nproperty "
                "float y\nproperty float z\nend_header\n3 2 1 0 9 8 7\n0 0 0\n1 0 0\n0 1 0\n");
   EXPECT_EQ(colourOf(scene.parts[0], 0, 0), (Rgba{9, 8, 7, 255}));
-  EXPECT_EQ(trianglesOf(scene)[0], (std::array<Corner, 3>{{{0, 1, 0}, {1, 0, 0}, {0, 0, 0}}}));
+  EXPECT_EQ(trianglesOf(scene)[0], (std::array<ReadCorner, 3>{{{0, 1, 0}, {1, 0, 0}, {0, 0, 0}}}));
 }
 
 TEST_F(PlyLooks, TexturesByVertices) {
@@ -189,10 +184,10 @@ TEST_F(PlyLooks, TexturesByFaces) {
   EXPECT_EQ(materialOf(scene, 0).texture.texture, -1);
   EXPECT_EQ(scene.parts[0].triangles(), 3u);
   EXPECT_EQ(materialOf(scene, 1).texture.texture, 0);
-  EXPECT_EQ(trianglesOf(scene)[3], (std::array<Corner, 3>{{{0, 0, 0}, {1, 1, 0}, {0, 1, 0}}}));
+  EXPECT_EQ(trianglesOf(scene)[3], (std::array<ReadCorner, 3>{{{0, 0, 0}, {1, 1, 0}, {0, 1, 0}}}));
   EXPECT_EQ(readRow<2>(scene.parts[1].uvs, scene.parts[1].corners(0)[2]), (std::array<double, 2>{0, 0.75}));
   EXPECT_EQ(materialOf(scene, 2).texture.texture, 1);
-  EXPECT_EQ(trianglesOf(scene)[4], (std::array<Corner, 3>{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}}));
+  EXPECT_EQ(trianglesOf(scene)[4], (std::array<ReadCorner, 3>{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}}));
   EXPECT_TRUE(has(scene.warnings, "2 faces are without a texture"));
   EXPECT_TRUE(has(scene.warnings, "'C:\\x\\B.TGA' is not there"));
 }
@@ -205,7 +200,7 @@ TEST_F(PlyLooks, CornersOfQuadsKeepTheirCoordinates) {
   ASSERT_EQ(countTriangles(scene), 2u);
   for (std::uint64_t i = 0; i < 2; ++i)
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      const Corner place = trianglesOf(scene)[i][corner];
+      const ReadCorner place = trianglesOf(scene)[i][corner];
       const double u = place[1] == 0 ? 0.25 * place[0] : 0.75 - 0.25 * place[0];
       EXPECT_EQ(readRow<2>(scene.parts[0].uvs, scene.parts[0].corners(i)[corner]),
                 (std::array<double, 2>{u, 0}));

@@ -9,14 +9,14 @@ namespace {
 class PlyScene : public LoadTest {};
 
 const std::string kVertices = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
-const std::string kColours = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+const std::string kColourProperties = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
 const std::string kFaces = "element face 1\nproperty list uchar int vertex_index\n";
 const std::string kEnd = "end_header\n";
 const std::string kAscii = "ply\nformat ascii 1.0\n";
 
 TEST_F(PlyScene, FacesAndColours) {
   const TriangleScene scene =
-      load("m.ply", kAscii + kVertices + kColours + kFaces + kEnd +
+      load("m.ply", kAscii + kVertices + kColourProperties + kFaces + kEnd +
                         "0 0 0 1 2 3\n1 0 0 4 5 6\n1 1 0 7 8 9\n0 1 0 255 0 51\n4 0 1 2 3\n");
   ASSERT_EQ(countTriangles(scene), 2u);
   const MeshPart &part = scene.parts[0];
@@ -55,7 +55,7 @@ TEST_F(PlyScene, BothByteOrders) {
                                                   "_endian 1.0\n" + kVertices + kFaces + kEnd + rows);
     const auto triangles = trianglesOf(scene);
     ASSERT_EQ(triangles.size(), 1u);
-    EXPECT_EQ(triangles[0], (std::array<Corner, 3>{{{1.5, 0, 0}, {1, 1, 0}, {0, 1, -2}}}));
+    EXPECT_EQ(triangles[0], (std::array<ReadCorner, 3>{{{1.5, 0, 0}, {1, 1, 0}, {0, 1, -2}}}));
   }
 }
 
@@ -63,7 +63,7 @@ TEST_F(PlyScene, DoublesStayDoubles) {
   const TriangleScene scene =
       load("m.ply", kAscii + "element vertex 3\nproperty double x\nproperty float y\n" + "property int z\n" +
                         kFaces + kEnd + "0.1 0 16777217\n+1e0 0 0\n1e-400 1 0\n3 0 1 2\n");
-  EXPECT_EQ(trianglesOf(scene)[0], (std::array<Corner, 3>{{{0.1, 0, 16777217}, {1, 0, 0}, {0, 1, 0}}}));
+  EXPECT_EQ(trianglesOf(scene)[0], (std::array<ReadCorner, 3>{{{0.1, 0, 16777217}, {1, 0, 0}, {0, 1, 0}}}));
 }
 
 TEST_F(PlyScene, StripsWithRestarts) {
@@ -81,7 +81,7 @@ TEST_F(PlyScene, OtherElementsArePassedOver) {
                    "property float y\nproperty float z\nelement face 1\nproperty uchar flags\n" +
                    "property list uchar uint vertex_indices\nproperty list uchar float texcoord\n" + kEnd +
                    "2 1 2 3\n0 4\n9 0 0 0\n9 1 0 0\n9 0 1 0\n7 3 0 1 2 6 0 0 1 0 0 1\n");
-  EXPECT_EQ(trianglesOf(scene)[0], (std::array<Corner, 3>{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}));
+  EXPECT_EQ(trianglesOf(scene)[0], (std::array<ReadCorner, 3>{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}));
 }
 
 TEST_F(PlyScene, FacesBeforeVertices) {

@@ -1,9 +1,7 @@
 // Solids by the centres of their cells, held against winding numbers by solid angles.
 #include "SceneTesting.h"
-#include "SolidShapes.h"
-#include "Source/SourceTesting.h"
+#include "SolidTesting.h"
 #include "TestLength.h"
-#include "voxc/Mesh/SolidMesh.h"
 
 #include <numbers>
 #include <random>
@@ -11,15 +9,7 @@
 namespace voxc::test {
 namespace {
 
-constexpr std::uint32_t kFill = 0xff332211;
-
-VoxelizeOptions optionsAt(int resolution) {
-  VoxelizeOptions options;
-  options.resolution = resolution;
-  options.bounds = {{0, 0, 0, 1, 1, 1}};
-  options.coverage = Coverage::Centre;
-  return options;
-}
+VoxelizeOptions centresAt(int resolution) { return optionsAt(resolution, Coverage::Centre); }
 
 Expected<SolidMesh> centred(const std::shared_ptr<TriangleScene> &scene, const VoxelizeOptions &options,
                             unsigned threads = 1) {
@@ -29,7 +19,7 @@ Expected<SolidMesh> centred(const std::shared_ptr<TriangleScene> &scene, const V
   return centreMesh(*scene, options, std::move(*surface), kFill, {memory, threads, options.progress});
 }
 
-Voxels solidOf(const Soup &soup, const VoxelizeOptions &options, bool *isDoubleSided = nullptr) {
+Voxels centresOf(const Soup &soup, const VoxelizeOptions &options, bool *isDoubleSided = nullptr) {
   auto solid = centred(soupOf(soup), options);
   EXPECT_TRUE(solid) << solid.error().message;
   if (isDoubleSided)
@@ -40,9 +30,9 @@ Voxels solidOf(const Soup &soup, const VoxelizeOptions &options, bool *isDoubleS
 /// Every cell whose centre, moved by `step` as the rule says, the mesh winds about: white where a triangle
 /// touches it.
 void expectCentres(const Soup &soup, int resolution, double step = 1e-6) {
-  VoxelizeOptions options = optionsAt(resolution);
+  VoxelizeOptions options = centresAt(resolution);
   bool isDoubleSided = false;
-  const Voxels solid = solidOf(soup, options, &isDoubleSided);
+  const Voxels solid = centresOf(soup, options, &isDoubleSided);
   // Surfaces drawn at random may lie on each other, one facing the other way: winding numbers miss them.
   if (isDoubleSided)
     return;
@@ -76,12 +66,12 @@ TEST(SolidCentres, OnTheSurfaceAreDecidedByTheSameRuleEverywhere) {
   // Faces through centres: those at the low ends belong to the box, those at the high ends do not.
   for (const float low : {4.0f / 16, 4.5f / 16})
     expectCentres(cube(low, low + 0.5f), 16, 1e-3);
-  EXPECT_EQ(solidOf(cube(4.5f / 16, 12.5f / 16), optionsAt(16)).size(), 512u);
+  EXPECT_EQ(centresOf(cube(4.5f / 16, 12.5f / 16), centresAt(16)).size(), 512u);
   // Boxes that share such faces share no cell, and leave none out.
   const Soup whole = cube(4.5f / 16, 12.5f / 16);
   const Soup parts = joined(box({4.5f / 16, 4.5f / 16, 4.5f / 16}, {8.5f / 16, 12.5f / 16, 12.5f / 16}),
                             box({8.5f / 16, 4.5f / 16, 4.5f / 16}, {12.5f / 16, 12.5f / 16, 12.5f / 16}));
-  EXPECT_EQ(solidOf(parts, optionsAt(16)).size(), solidOf(whole, optionsAt(16)).size());
+  EXPECT_EQ(centresOf(parts, centresAt(16)).size(), centresOf(whole, centresAt(16)).size());
 }
 
 TEST(SolidCentres, OfRandomClosedSurfaces) {
@@ -141,7 +131,7 @@ TEST(SolidCentres, AreWhatIsFilledBesideTheSurface) {
       soup = joined(std::move(soup), body);
     }
     const auto scene = soupOf(soup);
-    auto options = optionsAt(16);
+    auto options = centresAt(16);
     auto solid = centred(scene, options);
     if (!solid)
       continue;
@@ -167,17 +157,17 @@ TEST(SolidCentres, HaveTheVolumeOfTheBody) {
   const double ball = 4.0 / 3 * std::numbers::pi * radius * radius * radius;
   const Soup soup = sphere(radius, {0.5f, 0.5f, 0.5f}, 64);
   for (const int resolution : {32, 64, 128}) {
-    const auto voxels = static_cast<double>(solidOf(soup, optionsAt(resolution)).size());
+    const auto voxels = static_cast<double>(centresOf(soup, centresAt(resolution)).size());
     EXPECT_NEAR(voxels / std::pow(resolution, 3) / ball, 1, 0.006) << resolution;
   }
 }
 
 TEST(SolidCentres, OnSeveralThreadsAndOfMoreCellsThanABatchAreTheSame) {
   const auto scene = soupOf(sphere(0.45));
-  auto options = optionsAt(100);
+  auto options = centresAt(100);
   EXPECT_EQ(voxelsOf(*centred(scene, options, 3)->source), voxelsOf(*centred(scene, options)->source));
   // Three million cells that triangles touch.
-  options = optionsAt(700);
+  options = centresAt(700);
   auto solid = centred(soupOf(cube(10.5f / 700, 689.5f / 700)), options);
   ASSERT_TRUE(solid);
   EXPECT_EQ(solid->voxels, 678u * 678 * 678);
@@ -195,7 +185,7 @@ TEST(SolidCentres, OnSeveralThreadsAndOfMoreCellsThanABatchAreTheSame) {
 TEST(SolidCentres, OfWhatIsNotClosedAreAnError) {
   Soup bin = cube(0.2f, 0.8f);
   bin.resize(30);
-  const auto solid = centred(soupOf(bin), optionsAt(8));
+  const auto solid = centred(soupOf(bin), centresAt(8));
   ASSERT_FALSE(solid);
   EXPECT_EQ(solid.error().kind, ErrorKind::Input);
   EXPECT_EQ(solid.error().message.find("the mesh is not closed, so that no centre lies inside it: 4 edges"),
@@ -203,7 +193,7 @@ TEST(SolidCentres, OfWhatIsNotClosedAreAnError) {
   // A small hole is closed.
   Soup open = sphere(0.4);
   open.erase(open.begin() + 1200, open.begin() + 1203);
-  EXPECT_EQ(solidOf(open, optionsAt(30)).size(), solidOf(sphere(0.4), optionsAt(30)).size());
+  EXPECT_EQ(centresOf(open, centresAt(30)).size(), centresOf(sphere(0.4), centresAt(30)).size());
 }
 
 } // namespace

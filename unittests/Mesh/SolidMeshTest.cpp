@@ -1,9 +1,7 @@
 // Solid voxels of meshes, held against winding numbers by solid angles.
-#include "voxc/Mesh/SolidMesh.h"
 #include "Mesh/Solid/RowCrossings.h"
 #include "SceneTesting.h"
-#include "SolidShapes.h"
-#include "Source/SourceTesting.h"
+#include "SolidTesting.h"
 #include "TestLength.h"
 
 #include <atomic>
@@ -13,16 +11,6 @@
 
 namespace voxc::test {
 namespace {
-
-constexpr std::uint32_t kFill = 0xff332211;
-
-VoxelizeOptions optionsAt(int resolution, Coverage coverage = Coverage::Conservative) {
-  VoxelizeOptions options;
-  options.resolution = resolution;
-  options.bounds = {{0, 0, 0, 1, 1, 1}};
-  options.coverage = coverage;
-  return options;
-}
 
 struct Solid {
   Voxels surface;

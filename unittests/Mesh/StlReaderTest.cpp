@@ -6,7 +6,7 @@ namespace {
 
 class StlReader : public LoadTest {};
 
-const std::array<Corner, 3> kCorners{{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}}};
+const std::array<ReadCorner, 3> kFacetCorners{{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}}};
 
 const std::string kFacet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 2 0\n"
                            "endloop\nendfacet\n";
@@ -43,7 +43,7 @@ TEST_F(StlReader, ReadsText) {
       load("m.stl", "solid a b\n" + kFacet + kFacet + "endsolid a b\nsolid\n" + kFacet);
   const auto triangles = trianglesOf(scene);
   ASSERT_EQ(triangles.size(), 3u);
-  EXPECT_EQ(triangles[2], kCorners);
+  EXPECT_EQ(triangles[2], kFacetCorners);
 }
 
 TEST_F(StlReader, TextMayBeginWithAMark) {
@@ -79,7 +79,7 @@ TEST_F(StlReader, TextNeedsNoLines) {
   const TriangleScene scene =
       load("m.stl", " SOLID s\nFACET NORMAL 0 0 1 OUTER LOOP VERTEX 0 0 0 VERTEX +1 0 0 "
                     "VERTEX 0 2e0 0 ENDLOOP ENDFACET\r\nENDSOLID s");
-  EXPECT_EQ(trianglesOf(scene)[0], kCorners);
+  EXPECT_EQ(trianglesOf(scene)[0], kFacetCorners);
 }
 
 TEST_F(StlReader, LoopsOfFour) {
@@ -93,7 +93,7 @@ TEST_F(StlReader, ReadsBinary) {
   const TriangleScene scene = load("m.stl", binary("some program", 2));
   const auto triangles = trianglesOf(scene);
   ASSERT_EQ(triangles.size(), 2u);
-  EXPECT_EQ(triangles[1], kCorners);
+  EXPECT_EQ(triangles[1], kFacetCorners);
   EXPECT_FALSE(scene.parts[0].colours);
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kLargest = std::numeric_limits<float>::max();
-constexpr float kSmallest = std::numeric_limits<float>::denorm_min();
+constexpr float kLeastFloat = std::numeric_limits<float>::denorm_min();
 constexpr Int3 kNone{-1, -1, -1};
 
 /// A grid of 8^3 voxels with some of them filled; word 1 + Morton code. Cells come in Morton order.
@@ -129,7 +129,7 @@ TEST(HitDefinition, NonFiniteComponentIsAMiss) {
 }
 
 TEST(HitDefinition, TimeBeyondFloatIsInfinityAndTheHitStands) {
-  expectHit(gridOf({{5, 0, 0}}), {{-1e6f, 0, 0}, {kSmallest, 0, 0}}, {5, 0, 0}, kInfinity);
+  expectHit(gridOf({{5, 0, 0}}), {{-1e6f, 0, 0}, {kLeastFloat, 0, 0}}, {5, 0, 0}, kInfinity);
   // The largest finite t; then 2^128 - 2^103, halfway to 2^128, a tie that goes to the even side.
   expectHit(gridOf({{0, 0, 0}}), {{-0x1.fffffep23f, 0, 0}, {0x1p-104f, 0, 0}}, {0, 0, 0}, kLargest);
   expectHit(gridOf({{1, 0, 0}}), {{-0x1.fffffep24f, 0, 0}, {0x1p-103f, 0, 0}}, {1, 0, 0}, kInfinity);
@@ -154,8 +154,8 @@ TEST(HitDefinition, TinyDifferencesDecide) {
   const Ray through{{0, 0, 0}, {1, 1, 0}};
   expectHit(upper, through, {1, 1, 0}, 1);
   expectMiss(lower, through);
-  const Ray below{{0, -kSmallest, 0}, {1, 1, 0}};
-  expectMiss(gridOf({{0, 0, 0}}), {{0, -kSmallest, 0}, {1, -1, 0}});
+  const Ray below{{0, -kLeastFloat, 0}, {1, 1, 0}};
+  expectMiss(gridOf({{0, 0, 0}}), {{0, -kLeastFloat, 0}, {1, -1, 0}});
   expectHit(lower, below, {1, 0, 0}, 1);
   expectHit(upper, below, {1, 1, 0}, 1);
 }

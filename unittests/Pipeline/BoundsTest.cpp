@@ -1,4 +1,5 @@
 // Rays with bounds: what kernels find between two moments, on every device, to the bit.
+#include "BuiltScene.h"
 #include "DeviceTesting.h"
 #include "TestLength.h"
 
@@ -29,10 +30,10 @@ using test::textOf;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-constexpr Question kQuestions[] = {{Query::Closest, {}, true},
-                                   {Query::Closest, {.face = true}, true},
-                                   {Query::Any, outputsOf(Query::Any), true},
-                                   {Query::Distance, outputsOf(Query::Distance), true}};
+constexpr Question kBoundedQuestions[] = {{Query::Closest, {}, true},
+                                          {Query::Closest, {.face = true}, true},
+                                          {Query::Any, outputsOf(Query::Any), true},
+                                          {Query::Distance, outputsOf(Query::Distance), true}};
 
 constexpr const char *kKinds[] = {
     "R(4^3)",
@@ -66,12 +67,6 @@ std::string textOf(const BoundedRay &ray) {
     text += digits;
   }
   return text;
-}
-
-Volume build(const Format &format, const test::HardScene &scene) {
-  auto built = Constructor::compile(format)->build(*scene.source());
-  EXPECT_TRUE(built) << built.error().message;
-  return std::move(built->volume);
 }
 
 /// Rays of every hard class, with bounds.
@@ -114,10 +109,10 @@ TEST_P(Bounds, AreKeptExactlyInEveryKindOfLevel) {
   for (const char *text : kKinds) {
     const Format format = *parseFormat(text);
     const auto scenes = test::hardScenes(format.extent());
-    const Volume volume = build(format, scenes[(seed * 5) % scenes.size()]);
+    const Volume volume = test::builtScene(format, scenes[(seed * 5) % scenes.size()]);
     const Oracle oracle = *Oracle::of(volume);
     const auto rays = raysThrough(oracle, format.extent(), test::rounds(30), seed);
-    expectAnswers(volume, format, oracle, rays, kQuestions[seed++ % std::size(kQuestions)]);
+    expectAnswers(volume, format, oracle, rays, kBoundedQuestions[seed++ % std::size(kBoundedQuestions)]);
   }
 }
 
@@ -126,10 +121,10 @@ TEST_P(Bounds, AreKeptExactlyInRandomFormats) {
   for (int i = 0; i < test::rounds(5); ++i) {
     const Format format = test::randomFormat(random, test::pick(random, 3, 6));
     const auto scenes = test::hardScenes(format.extent());
-    const Volume volume = build(format, scenes[random() % scenes.size()]);
+    const Volume volume = test::builtScene(format, scenes[random() % scenes.size()]);
     const Oracle oracle = *Oracle::of(volume);
     const auto rays = raysThrough(oracle, format.extent(), 60, random());
-    expectAnswers(volume, format, oracle, rays, kQuestions[i % std::size(kQuestions)]);
+    expectAnswers(volume, format, oracle, rays, kBoundedQuestions[i % std::size(kBoundedQuestions)]);
   }
 }
 
@@ -137,23 +132,23 @@ TEST_P(Bounds, AreKeptExactlyInRandomFormats) {
 TEST_P(Bounds, AreKeptExactlyInDeepSolids) {
   const Format format = *parseFormat("R(2^3) G(8)");
   const test::HardScene full{"full", [](Int3) { return 0xff336699u; }, {}, format.extent()};
-  const Volume volume = build(format, full);
+  const Volume volume = test::builtScene(format, full);
   const Oracle oracle = *Oracle::of(volume);
   std::vector<BoundedRay> rays;
   for (const Ray &ray : verifyRays(format.extent(), 2000, 3))
     rays.push_back(bounded(ray, {100.0f + 0.37f * static_cast<float>(rays.size() % 1000), 700.0f}));
-  expectAnswers(volume, format, oracle, rays, kQuestions[1]);
+  expectAnswers(volume, format, oracle, rays, kBoundedQuestions[1]);
 }
 
 TEST_P(Bounds, AreKeptByFastKernelsButForRounding) {
   Format format = *parseFormat("R(1^3) S(1) G(3)");
   format.setAttribute(kPrecisionAttribute, "fast");
-  const Volume volume = build(format, test::hardScenes(format.extent())[6]);
+  const Volume volume = test::builtScene(format, test::hardScenes(format.extent())[6]);
   const Oracle oracle = *Oracle::of(volume);
   std::vector<BoundedRay> rays;
   for (const Ray &ray : verifyRays(format.extent(), 3000, 5))
     rays.push_back(bounded(ray, {3.0f + 0.01f * static_cast<float>(rays.size()), 200.0f}));
-  const Format asked = asking(format, kQuestions[0]);
+  const Format asked = asking(format, kBoundedQuestions[0]);
   const auto tracer = tracerOf(volume, asked);
   ASSERT_TRUE(tracer) << tracer.error().message;
   std::vector<Hit> hits(rays.size());
@@ -163,19 +158,19 @@ TEST_P(Bounds, AreKeptByFastKernelsButForRounding) {
 
 TEST_P(Bounds, OfRaysWithoutAnyAreAllThatThereIs) {
   const Format format = *parseFormat("R(2^3) G(3)");
-  const Volume volume = build(format, test::hardScenes(format.extent())[7]);
+  const Volume volume = test::builtScene(format, test::hardScenes(format.extent())[7]);
   const auto rays = verifyRays(format.extent(), 40000, 9);
   std::vector<Hit> plain(rays.size()), bound(rays.size());
   ASSERT_TRUE((*tracerOf(volume, format))->trace(rays, plain));
-  ASSERT_TRUE(
-      (*tracerOf(volume, asking(format, kQuestions[0])))->trace(rays, bound, {.order = RayOrder::Binned}));
+  ASSERT_TRUE((*tracerOf(volume, asking(format, kBoundedQuestions[0])))
+                  ->trace(rays, bound, {.order = RayOrder::Binned}));
   EXPECT_EQ(std::memcmp(plain.data(), bound.data(), plain.size() * sizeof(Hit)), 0);
-  ASSERT_TRUE((*tracerOf(volume, asking(format, kQuestions[0])))->trace(std::span<const Ray>(), {}));
+  ASSERT_TRUE((*tracerOf(volume, asking(format, kBoundedQuestions[0])))->trace(std::span<const Ray>(), {}));
 }
 
 TEST_P(Bounds, AreRefusedByKernelsWithout) {
   const Format format = *parseFormat("G(3)");
-  const Volume volume = build(format, test::hardScenes(format.extent())[1]);
+  const Volume volume = test::builtScene(format, test::hardScenes(format.extent())[1]);
   const BoundedRay ray{{-1, 1, 1}, 0, {1, 0, 0}, 3};
   Hit hit;
   const auto traced = (*tracerOf(volume, format))->trace(std::span(&ray, 1), std::span(&hit, 1));
@@ -188,8 +183,8 @@ TEST_P(Bounds, GoOnInVolumesOfWhichPagesAreThere) {
   std::mt19937 random(23);
   const std::string path = testing::TempDir() + "voxc-bounds-" + std::to_string(::getpid()) + ".hvx";
   for (const char *text : {"G(5)", "format values=apart { level 1: raw(2, 2, 2) level 2: svdag(3) }"}) {
-    const Format format = asking(*parseFormat(text), kQuestions[1]);
-    const Volume volume = build(*parseFormat(text), test::hardScenes(format.extent())[7]);
+    const Format format = asking(*parseFormat(text), kBoundedQuestions[1]);
+    const Volume volume = test::builtScene(*parseFormat(text), test::hardScenes(format.extent())[7]);
     const Oracle oracle = *Oracle::of(volume);
     ASSERT_TRUE(volume.save(path, {.compress = true, .pageBytes = 4096}));
     const auto paged = PagedVolume::open(path);
@@ -205,7 +200,7 @@ TEST_P(Bounds, GoOnInVolumesOfWhichPagesAreThere) {
     ASSERT_TRUE(tracer) << tracer.error().message;
     ASSERT_TRUE((*tracer)->trace(rays, hits));
     for (std::size_t i = 0; i < rays.size(); ++i) {
-      const Hit exact = oracle.answer(rays[i].ray(), kQuestions[1], rays[i].bounds());
+      const Hit exact = oracle.answer(rays[i].ray(), kBoundedQuestions[1], rays[i].bounds());
       ASSERT_EQ(std::memcmp(&hits[i], &exact, sizeof exact), 0)
           << text << " " << textOf(rays[i]) << ": " << textOf(hits[i]) << ", and not " << textOf(exact);
     }
@@ -216,8 +211,8 @@ TEST_P(Bounds, GoOnInVolumesOfWhichPagesAreThere) {
 INSTANTIATE_TEST_SUITE_P(On, Bounds, ::testing::Values("cpu", "llvmpipe"), test::deviceName);
 
 TEST(BoundedRay, GoesAlone) {
-  const Format format = asking(*parseFormat("G(3)"), kQuestions[1]);
-  const Volume volume = build(*parseFormat("G(3)"), test::hardScenes(format.extent())[1]);
+  const Format format = asking(*parseFormat("G(3)"), kBoundedQuestions[1]);
+  const Volume volume = test::builtScene(*parseFormat("G(3)"), test::hardScenes(format.extent())[1]);
   const CpuKernel kernel = *compileCpuKernel(format, {.start = CpuStart::Fast});
   const auto at = [&](float tmin, float tmax) {
     return *intersect(volume, kernel, BoundedRay{{-1, 1, 1}, tmin, {1, 0, 0}, tmax});

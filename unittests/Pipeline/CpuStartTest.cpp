@@ -1,4 +1,5 @@
 // Kernels that are compiled in parts: the hits are the same whichever parts there are.
+#include "BuiltScene.h"
 #include "testing/HardScenes.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Kernel/CompileCpu.h"
@@ -26,12 +27,6 @@ constexpr const char *kFormats[] = {
     "format bounds=yes { level 1: svdag(5) }",
     "format precision=fast { level 1: svo(3) level 2: raw(2, 2, 2) }",
 };
-
-Volume build(const Format &format, const test::HardScene &scene) {
-  auto built = Constructor::compile(format)->build(*scene.source());
-  EXPECT_TRUE(built) << built.error().message;
-  return std::move(built->volume);
-}
 
 /// Rays as a kernel takes them, with bounds that cut some short where it wants them.
 std::vector<float> numbersOf(std::span<const Ray> rays, bool bounded) {
@@ -67,7 +62,7 @@ TEST(CpuStart, GivesTheHitsOfPacketsWithoutThem) {
   for (const char *text : kFormats) {
     const Format format = *parseFormat(text);
     const test::HardScene scene = test::hardScenes(format.extent())[7];
-    const Volume volume = build(format, scene);
+    const Volume volume = test::builtScene(format, scene);
     const auto soon = compileCpuKernel(format, {.start = CpuStart::Soon});
     const auto fast = compileCpuKernel(format, {.start = CpuStart::Fast});
     ASSERT_TRUE(soon) << soon.error().message;
@@ -96,7 +91,7 @@ TEST(CpuStart, CompilesPartsWhenTheyAreAskedFor) {
   ASSERT_TRUE(cache) << cache.error().message;
   const Format format = *parseFormat("G(4)");
   const test::HardScene scene = test::hardScenes(format.extent())[7];
-  const Volume volume = build(format, scene);
+  const Volume volume = test::builtScene(format, scene);
   const auto soon = compileCpuKernel(format, {.cache = &*cache, .start = CpuStart::Soon});
   ASSERT_TRUE(soon) << soon.error().message;
   ASSERT_TRUE(intersect(volume, *soon, kEasyRay));

@@ -1,4 +1,5 @@
 // The functions of headers, as C++ and as GLSL: what they find of a ray between two moments, to the bit.
+#include "BuiltScene.h"
 #include "HeaderDefinition.h"
 #include "HeaderQueries.h"
 #include "TestLength.h"
@@ -51,14 +52,6 @@ constexpr const char *kFewFormats[] = {
     "masked(2, 2, 2) }",
     "format values=apart { level 1: svdag(1) level 2: masked(3, 3, 3) }",
     "format granule=4 { level 1: raw(2, 2, 2) level 2: svdag(2) }"};
-
-Volume build(const Format &format, const test::HardScene &scene) {
-  const auto constructor = Constructor::compile(format);
-  EXPECT_TRUE(constructor) << constructor.error().message;
-  auto built = constructor->build(*scene.source());
-  EXPECT_TRUE(built) << built.error().message;
-  return std::move(built->volume);
-}
 
 std::string headerOf(const Format &format, HeaderLanguage language) {
   const auto plan = makePlan(format, kHeaderPlan);
@@ -157,7 +150,7 @@ void expectDefinedHits(const Format &format, std::uint32_t seed,
   const Functions functions(format, language);
   const auto scenes = test::hardScenes(format.extent());
   const test::HardScene &scene = scenes[random() % scenes.size()];
-  const Volume volume = build(format, scene);
+  const Volume volume = test::builtScene(format, scene);
   const Oracle oracle = *Oracle::of(volume);
   for (const Ray &ray : raysThrough(format.extent(), oracle, test::rounds(60), seed)) {
     if (testing::Test::HasFailure())
@@ -238,7 +231,7 @@ std::vector<Hit> answers(const std::vector<HeaderHit> &hits) {
 void expectTheHitsOfCpp(Device &device, const Format &format, HeaderLanguage language, std::uint32_t seed) {
   SCOPED_TRACE(std::string(toString(language)) + ", " + printIr(format));
   std::mt19937 random(seed);
-  const Volume volume = build(format, test::hardScenes(format.extent())[7]);
+  const Volume volume = test::builtScene(format, test::hardScenes(format.extent())[7]);
   const Oracle oracle = *Oracle::of(volume);
   const Functions functions(format);
   std::vector<HeaderQuery> queries;

@@ -19,7 +19,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr Int3 kExtent{16, 16, 16};
+constexpr Int3 kVolumeExtent{16, 16, 16};
 
 /// A volume, with bounds or without, on the device and on the processor.
 struct Model {
@@ -47,7 +47,7 @@ protected:
     Format format = *parseFormat(text);
     if (bounded)
       format.setAttribute(kBoundsAttribute, "yes");
-    auto built = Constructor::compile(format)->build(*test::hardScenes(kExtent)[scene].source());
+    auto built = Constructor::compile(format)->build(*test::hardScenes(kVolumeExtent)[scene].source());
     EXPECT_TRUE(built) << built.error().message;
     auto tracer = openTracer(built->volume, {.device = "cpu", .format = format});
     auto kernel =
@@ -63,9 +63,9 @@ protected:
     std::mt19937 random(21);
     for (int i = 0; i < count; ++i) {
       const std::uint32_t volume = both ? i % 2 : 0;
-      placed_.push_back({volume, kExtent, test::randomPlace(random, reach)});
+      placed_.push_back({volume, kVolumeExtent, test::randomPlace(random, reach)});
       instances_.push_back(
-          {models_[volume].tracer.get(), kExtent, placed_.back().toWorld, models_[volume].bounded});
+          {models_[volume].tracer.get(), kVolumeExtent, placed_.back().toWorld, models_[volume].bounded});
     }
   }
 
@@ -83,9 +83,9 @@ protected:
 
   /// Rays as of cameras, and some of every hard class.
   static std::vector<Ray> hardRaysOf(std::size_t count) {
-    std::vector<Ray> rays = verifyRays(kExtent, count, 23);
+    std::vector<Ray> rays = verifyRays(kVolumeExtent, count, 23);
     for (const test::HardRayClass &kind : test::hardRayClasses()) {
-      const auto hard = test::hardRays({kExtent}, kind.name, count / 40, 24);
+      const auto hard = test::hardRays({kVolumeExtent}, kind.name, count / 40, 24);
       rays.insert(rays.end(), hard.begin(), hard.end());
     }
     return rays;
@@ -202,10 +202,11 @@ TEST_F(InstancedRecorderTest, RefusesWhatDoesNotFit) {
     const auto made = recorder(options);
     return made ? std::string() : made.error().message;
   };
-  EXPECT_EQ(problem({1, kExtent}), "");
-  EXPECT_THAT(problem({2, kExtent}), HasSubstr("instance 1 is of a volume that is not in the list"));
-  EXPECT_THAT(problem({0, kExtent, glm::mat4(0)}), HasSubstr("instance 1 has a matrix that is not affine"));
-  EXPECT_THAT(problem({0, kExtent}, {.boundedRays = true}),
+  EXPECT_EQ(problem({1, kVolumeExtent}), "");
+  EXPECT_THAT(problem({2, kVolumeExtent}), HasSubstr("instance 1 is of a volume that is not in the list"));
+  EXPECT_THAT(problem({0, kVolumeExtent, glm::mat4(0)}),
+              HasSubstr("instance 1 has a matrix that is not affine"));
+  EXPECT_THAT(problem({0, kVolumeExtent}, {.boundedRays = true}),
               HasSubstr("volume 1 has a kernel without bounds"));
   const auto made = recorder();
   const auto buffer = host_->makeBuffer(1 << 16);

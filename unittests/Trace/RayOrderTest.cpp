@@ -97,8 +97,8 @@ TEST(RayOrder, ManyScatteredRaysAreTold) {
 
 /// Not a kernel of any format: every ray hits the voxel that its origin names, at the length of its
 /// direction.
-void echo(const std::uint32_t *, const float *rays, std::uint32_t *hits, unsigned long long count, int,
-          float) {
+void echoOrdered(const std::uint32_t *, const float *rays, std::uint32_t *hits, unsigned long long count, int,
+                 float) {
   for (unsigned long long i = 0; i < count; ++i, rays += 6, hits += 6) {
     const Hit hit{{int(rays[0]), int(rays[1]), int(rays[2])}, 1, std::hypot(rays[3], rays[4], rays[5]), 0};
     std::memcpy(hits, &hit, sizeof hit);
@@ -109,7 +109,7 @@ class OrderedTracerTest : public testing::Test {
 protected:
   TraceReport trace(std::span<const Ray> rays, RayOrder order, std::vector<Hit> &hits) {
     hits.assign(rays.size(), {});
-    auto tracer = createCpuTracer({echo, volume_.storageDigest(), nullptr}, volume_, 2);
+    auto tracer = createCpuTracer({echoOrdered, volume_.storageDigest(), nullptr}, volume_, 2);
     EXPECT_TRUE(tracer) << tracer.error().message;
     double last = 0;
     TraceOptions options{.repeat = 2, .order = order};
@@ -139,7 +139,7 @@ TEST_F(OrderedTracerTest, HitsAreTheSameInAnyOrder) {
 }
 
 TEST_F(OrderedTracerTest, AutoMeasuresOnceWhatIsScattered) {
-  auto tracer = createCpuTracer({echo, volume_.storageDigest(), nullptr}, volume_, 2);
+  auto tracer = createCpuTracer({echoOrdered, volume_.storageDigest(), nullptr}, volume_, 2);
   const auto traced = [&](const std::vector<Ray> &rays) {
     std::vector<Hit> hits(rays.size());
     const auto report = (*tracer)->trace(rays, hits, {.order = RayOrder::Auto});
@@ -156,7 +156,7 @@ TEST_F(OrderedTracerTest, AutoMeasuresOnceWhatIsScattered) {
 }
 
 TEST_F(OrderedTracerTest, NoRaysNeedNoOrder) {
-  auto tracer = createCpuTracer({echo, volume_.storageDigest(), nullptr}, volume_, 2);
+  auto tracer = createCpuTracer({echoOrdered, volume_.storageDigest(), nullptr}, volume_, 2);
   const auto report = (*tracer)->trace({}, {}, {.repeat = 2, .order = RayOrder::Binned});
   ASSERT_TRUE(report) << report.error().message;
   EXPECT_EQ(report->repeats.size(), 2u);

@@ -24,7 +24,7 @@ constexpr std::size_t kElementBytes = 32;
 constexpr std::size_t kPageBytes = 36;
 constexpr std::size_t kElements = 40;
 constexpr std::size_t kOffset = 48;
-constexpr std::size_t kPage = 4096;
+constexpr std::size_t kPageOfMemory = 4096;
 
 template <typename T> std::string with(std::string bytes, std::size_t at, T value) {
   std::memcpy(bytes.data() + at, &value, sizeof value);
@@ -85,18 +85,18 @@ TEST_F(Streams, RoundTrip) {
     EXPECT_EQ(stream.elementBytes, saved.streams()[i].elementBytes);
     EXPECT_TRUE(std::ranges::equal(stream.bytes, saved.streams()[i].bytes)) << stream.name;
     const auto address = reinterpret_cast<std::uintptr_t>(stream.bytes.data());
-    EXPECT_TRUE(stream.bytes.empty() || address % kPage == 0) << stream.name;
+    EXPECT_TRUE(stream.bytes.empty() || address % kPageOfMemory == 0) << stream.name;
   }
   EXPECT_EQ(loaded->bytes(), 16u + 24 + 15);
   EXPECT_EQ(loaded->findStream("groups")->elements(), 5u);
   EXPECT_EQ(loaded->findStream("weights-2")->as<std::uint64_t>()[2], std::uint64_t{1} << 63);
   EXPECT_TRUE(loaded->findStream("weights-2")->as<std::uint32_t>().empty());
   EXPECT_EQ(loaded->lookup({1, 0, 0}).value, 9u);
-  EXPECT_EQ(std::filesystem::file_size(path_), 3 * kPage + 15);
+  EXPECT_EQ(std::filesystem::file_size(path_), 3 * kPageOfMemory + 15);
 }
 
 TEST_F(Streams, AreWrittenWhileWordsAreMadeAsTheyAreSaved) {
-  std::vector<std::uint32_t> words(3 * kPage / 4 - 5);
+  std::vector<std::uint32_t> words(3 * kPageOfMemory / 4 - 5);
   std::iota(words.begin(), words.end(), 1u);
   const Volume other = several();
   std::vector<Stream> streams(other.streams().begin(), other.streams().end());
@@ -104,14 +104,14 @@ TEST_F(Streams, AreWrittenWhileWordsAreMadeAsTheyAreSaved) {
   const std::string expected = saved(Volume(smallInfo(), streams, nullptr));
 
   const auto memory = WorkingMemory::create(1 << 20);
-  auto block = memory->reserve(4 * kPage);
-  ASSERT_TRUE(block && memory->extendInMemory(*block, 3 * kPage));
+  auto block = memory->reserve(4 * kPageOfMemory);
+  ASSERT_TRUE(block && memory->extendInMemory(*block, 3 * kPageOfMemory));
   std::ranges::copy(streams[0].bytes, block->data());
   auto writer = VolumeFileWriter::create(path_, smallInfo(), streams.size());
   ASSERT_TRUE(writer && writer->canFlush());
-  ASSERT_TRUE(writer->flush(*block, kPage, kPage, *memory));
+  ASSERT_TRUE(writer->flush(*block, kPageOfMemory, kPageOfMemory, *memory));
   streams[0].bytes = {block->data(), streams[0].bytes.size()};
-  ASSERT_TRUE(writer->finish(smallInfo(), streams, {kPage, 2 * kPage}, *memory));
+  ASSERT_TRUE(writer->finish(smallInfo(), streams, {kPageOfMemory, 2 * kPageOfMemory}, *memory));
   EXPECT_EQ(*readTextFile(path_), expected);
 }
 
@@ -141,7 +141,8 @@ TEST_F(Streams, OfAHostileHeaderAreRefused) {
     EXPECT_NE(errorWith(8, other), "no error");
   for (const std::uint64_t bytes : {std::uint64_t{0}, whole.size() - 1, whole.size() + 1, ~std::uint64_t{0}})
     EXPECT_THAT(errorWith(kFileBytes, bytes), HasSubstr("truncated or has surplus bytes"));
-  for (const std::uint64_t bytes : {std::uint64_t{0}, kPage - 1, 2 * kPage, ~std::uint64_t{0} - kPage + 1})
+  for (const std::uint64_t bytes :
+       {std::uint64_t{0}, kPageOfMemory - 1, 2 * kPageOfMemory, ~std::uint64_t{0} - kPageOfMemory + 1})
     EXPECT_THAT(errorWith(kHeadBytes, bytes), HasSubstr("contradicts itself"));
   for (const std::uint32_t streams : {0u, 65u, ~0u})
     EXPECT_THAT(errorWith(kStreams, streams), HasSubstr("contradicts itself"));
@@ -177,13 +178,15 @@ TEST_F(Streams, OfAHostileTableAreRefused) {
               HasSubstr("'normals' in pages, which its version does not know"));
   const auto all = ~std::uint64_t{0};
   for (const std::uint64_t elements :
-       {std::uint64_t{0}, all, all / 4 + 1, (all >> 3) + 4, std::uint64_t{kPage}})
+       {std::uint64_t{0}, all, all / 4 + 1, (all >> 3) + 4, std::uint64_t{kPageOfMemory}})
     for (const std::size_t row : {0, 2, 3})
       EXPECT_NE(errorWith(row, kElements, elements), "no error") << row << ", " << elements;
-  for (const std::uint64_t offset : {std::uint64_t{0}, std::uint64_t{kPage - 4}, all - kPage + 1, all - 15})
+  for (const std::uint64_t offset :
+       {std::uint64_t{0}, std::uint64_t{kPageOfMemory - 4}, all - kPageOfMemory + 1, all - 15})
     for (const std::size_t row : {0, 1, 2, 3})
       EXPECT_THAT(errorWith(row, kOffset, offset), HasSubstr("does not lie where it must"));
-  EXPECT_THAT(errorWith(2, kOffset, std::uint64_t{kPage}), HasSubstr("stream 'weights-2' that does not lie"));
+  EXPECT_THAT(errorWith(2, kOffset, std::uint64_t{kPageOfMemory}),
+              HasSubstr("stream 'weights-2' that does not lie"));
   EXPECT_THAT(errorWith(3, kElements, std::uint64_t{4}), HasSubstr("surplus"));
   EXPECT_THAT(errorWith(3, kElements, std::uint64_t{6}), HasSubstr("does not lie where it must"));
 }
