@@ -36,6 +36,9 @@ config.substitutions += [
 
 if os.path.isdir(shared_dir):
     config.available_features.add("shared")
+# As random tests are longer then.
+if int(os.environ.get("VOXC_TEST_FACTOR", 1)) > 1:
+    config.available_features.add("thorough")
 if config.sanitized:
     config.available_features.add("sanitized")
     config.environment["ASAN_OPTIONS"] = "detect_leaks=0"

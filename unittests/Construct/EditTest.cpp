@@ -77,7 +77,7 @@ void expectSameAsBuild(const Format &format, const test::HardScene &scene, std::
 
 TEST(Edit, GivesTheWordsOfABuild) {
   std::mt19937 random(3);
-  for (int i = 0; i < test::rounds(16); ++i) {
+  for (int i = 0; i < test::rounds(8); ++i) {
     const Format format = test::randomFormat(random, test::pick(random, 3, 7));
     const auto scenes = test::hardScenes(format.extent());
     expectSameAsBuild(format, scenes[std::size_t(test::pick(random, 0, int(scenes.size()) - 1))], random);

@@ -166,8 +166,8 @@ void editAtRandom(const Format &format, const test::HardScene &scene, std::mt199
 
 TEST(EditableVolume, HoldsWhatEditsMakeOfItsVoxels) {
   std::mt19937 random(44);
-  for (int i = 0, edited = 0; edited < test::rounds(24); ++i) {
-    ASSERT_LT(i, test::rounds(24) * 40) << "too few random formats can be edited";
+  for (int i = 0, edited = 0; edited < test::rounds(12); ++i) {
+    ASSERT_LT(i, test::rounds(12) * 40) << "too few random formats can be edited";
     const Format format = test::randomFormat(random, test::pick(random, 3, 6));
     if (!whyNoEdits(layoutOf(format)).empty())
       continue;

@@ -167,7 +167,7 @@ TEST_F(SizeModelScenes, PapersFormats) {
 
 TEST_F(SizeModelScenes, RandomFormats) {
   makeScenes(kLeastSide);
-  const int kFormats = test::rounds(300);
+  const int kFormats = test::rounds(100);
   int exact = 0, compared = 0;
   for (int drawn = 0; exact < kFormats && drawn < 10 * kFormats; ++drawn) {
     const int side = test::pick(random_, kLeastSide, kMostSide);

@@ -143,10 +143,14 @@ TEST(Update, GivesTheHitsOfANewTracerOnADevice) {
   auto device = Device::open();
   if (!device)
     GTEST_SKIP() << device.error().message;
+  // A device compiles its kernel for each new tracer: each format is addressed in one way, and the way
+  // changes from format to format.
+  constexpr Addressing kAddressings[] = {Addressing::Buffer, Addressing::Segments, Addressing::Texels};
   std::mt19937 random(6);
-  for (const Addressing addressing : {Addressing::Buffer, Addressing::Segments, Addressing::Texels})
-    for (const Format &format : formats(random))
-      expectHitsOfANewTracer(OnDevice(*device, format, addressing), format, random);
+  std::size_t next = 0;
+  for (const Format &format : formats(random))
+    expectHitsOfANewTracer(OnDevice(*device, format, kAddressings[next++ % std::size(kAddressings)]), format,
+                           random);
 }
 
 TEST(Update, CopiesTheBlocksThatDiffer) {

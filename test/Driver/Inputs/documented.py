@@ -1,4 +1,6 @@
-"""Runs every voxc command that a page shows as shell for an input of each kind: documented.py VOXC FOLDER PAGE
+"""Runs every voxc command that a page shows as shell for small inputs: documented.py VOXC FOLDER PAGE [--every-kind]
+
+Without --every-kind, inputs are one of each class of options.
 
 The model of the page is replaced by the input, and what only makes it large by less: formats hold 32 voxels a side, pictures are small,
 searches short. `voxc view` needs a display (test/View). Pictures must show something, and parts must join to the bytes of one build.
@@ -13,7 +15,7 @@ from pathlib import Path
 
 from kinds import inputs
 
-voxc, folder, page = sys.argv[1], Path(sys.argv[2]).resolve(), sys.argv[3]
+voxc, folder, page, every_kind = sys.argv[1], Path(sys.argv[2]).resolve(), sys.argv[3], "--every-kind" in sys.argv[4:]
 
 # Whatever the page calls a model that it reads.
 MODEL = re.compile(r"(sponza|armadillo|model)\.(obj|ply)|(monu10|monu3|scene)\.vox")
@@ -22,9 +24,10 @@ SMALLER = [(r"\bG\((5|7|8)\)(?=.*R\()|(?<=\) )G\((5|7|8)\)", "G(1)"), (r"\b([GS]
 VALUES = {"--rays": "2000", "--parts": "2", "--local": "2", "--budget": "10s", "--random": "1"}
 # Kinds whose voxels are made, and not their own.
 RESOLVED = (".obj", ".ply")
-# Measuring takes its time: an input of each class of options, and one volume.
-MEASURED = {"search": ("box.obj", "ball.vox", "ball.nii.gz", "ball.hvx"), "bench": ("box.obj", "ball.vox", "ball.nii.gz", "ball.hvx"),
-            "accuracy": ("box.obj",)}
+# An input of each class of options, and a volume.
+CLASSES = ("box.obj", "ball.vox", "ball.nii.gz", "ball.hvx")
+# Measuring takes its time.
+MEASURED = {"search": CLASSES, "bench": CLASSES, "accuracy": CLASSES[:1]}
 SIZED = ("render", "run", "search", "bench")
 ON_CPU = ("render", "run", "search", "verify", "accuracy", "suggest")
 
@@ -101,7 +104,7 @@ def check_fragments(where, name):
     return ", two fragments are one build"
 
 
-names = inputs(folder, run)
+names = [name for name in inputs(folder, run) if every_kind or name in CLASSES]
 (folder / "few.txt").write_text("R(4^3) G(1)\nG(5)\n")  # A search through more takes seconds.
 for number, name in enumerate(names):
     where = folder / str(number)

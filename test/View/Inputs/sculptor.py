@@ -16,11 +16,16 @@ def finest(viewer, before=None):
     return viewer.screen.still_picture(before)
 
 
+def shows_finest(viewer):
+    with open(viewer.log, encoding="utf-8") as log:
+        return [line for line in log if " shown " in line][-1].rstrip().endswith(", the finest")
+
+
 def calm(viewer, before):
-    """What the screen shows once the viewer has nothing more to tell."""
+    """What the screen shows once the viewer has nothing more to tell, which a slow machine may pause in."""
     viewer.rest()
     told = -1
-    while told != os.path.getsize(viewer.log):
+    while told != os.path.getsize(viewer.log) or not shows_finest(viewer):
         told = os.path.getsize(viewer.log)
         time.sleep(1)
     return viewer.screen.still_picture(before)
