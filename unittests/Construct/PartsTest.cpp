@@ -141,7 +141,7 @@ protected:
   std::mt19937 random_{5};
 };
 
-Format formatOf(std::string_view text, std::string_view passes) {
+Format formatWith(std::string_view text, std::string_view passes) {
   auto format = parseFormat(text);
   EXPECT_TRUE(format) << format.error().message;
   Diagnostics diagnostics;
@@ -159,7 +159,7 @@ TEST_F(Parts, GiveTheSameBytesInEveryFormat) {
                            "D(1^3,6) D(4^3,3)", "R(2,3,5)", "S(0) G(5)", "G(2) G(0) G(3)",
                            "R(1^3) S(3) D(1^3,2)", "S(0) G(0)", "R(0^3)", "G(1)", "D(2,3,1,4) G(2)"})
     for (const char *passes : {"", "whole-level-dedup share-grids"}) {
-      const Format format = formatOf(text, passes);
+      const Format format = formatWith(text, passes);
       const auto scenes = test::hardScenes(format.extent());
       for (std::size_t i = turn++ % kEvery; i < scenes.size(); i += kEvery)
         expectSameBytes(format, scenes[i]);
@@ -179,7 +179,7 @@ TEST_F(Parts, GiveTheSameBytesInLittleMemory) {
   const auto source = makeBuiltinSource("terrain", 128);
   ASSERT_TRUE(source);
   for (const char *text : {"G(7)", "D(7^3,6)", "R(2^3) D(5^3,9)", "S(7)"}) {
-    const auto constructor = Constructor::compile(formatOf(text, "whole-level-dedup"));
+    const auto constructor = Constructor::compile(formatWith(text, "whole-level-dedup"));
     const Words words = wordsOf(constructor->build(**source));
     const auto memory = WorkingMemory::create(1 << 18);
     EXPECT_EQ(wordsOf(constructor->build(**source, {.memory = memory})), words) << text;
@@ -189,7 +189,7 @@ TEST_F(Parts, GiveTheSameBytesInLittleMemory) {
 
 TEST_F(Parts, StreamTheSameFile) {
   const auto source = makeBuiltinSource("terrain", 64);
-  const auto constructor = Constructor::compile(formatOf("R(2^3) G(4)", "whole-level-dedup"));
+  const auto constructor = Constructor::compile(formatWith("R(2^3) G(4)", "whole-level-dedup"));
   const auto inMemory = constructor->build(**source, {.provenance = "p"});
   ASSERT_TRUE(inMemory);
   ASSERT_TRUE(inMemory->volume.save(path(0)));
@@ -202,7 +202,7 @@ TEST_F(Parts, StreamTheSameFile) {
 
 TEST_F(Parts, NamesWhatIsWrongWithASetOfFragments) {
   const auto source = makeBuiltinSource("terrain", 64);
-  const auto constructor = Constructor::compile(formatOf("R(2^3) G(4)", ""));
+  const auto constructor = Constructor::compile(formatWith("R(2^3) G(4)", ""));
   for (const std::uint64_t i : {0, 1, 2})
     ASSERT_TRUE(constructor->buildFragment(**source, i, 3, path(i)));
   ASSERT_TRUE(constructor->buildFragment(**source, 1, 2, path(3)));
@@ -217,7 +217,7 @@ TEST_F(Parts, NamesWhatIsWrongWithASetOfFragments) {
   EXPECT_THAT(problem({path(0), path(1), path(1), path(2)}),
               ::testing::EndsWith("are the same fragment, 1 of 3"));
   EXPECT_THAT(problem({path(0), path(3)}), ::testing::EndsWith("are fragments of different volumes"));
-  const auto other = Constructor::compile(formatOf("G(6)", ""));
+  const auto other = Constructor::compile(formatWith("G(6)", ""));
   const auto merged = other->merge({path(0), path(1), path(2)});
   ASSERT_FALSE(merged);
   EXPECT_EQ(merged.error().message, "the fragments are of the format R(2, 2, 2) G(4), not G(6)");
@@ -226,7 +226,7 @@ TEST_F(Parts, NamesWhatIsWrongWithASetOfFragments) {
 /// Whatever is changed in a fragment, merging ends in a volume or an error.
 TEST_F(Parts, BrokenFragmentsAreErrors) {
   const auto source = makeBuiltinSource("corners", 16);
-  const auto constructor = Constructor::compile(formatOf("R(1^3) S(1) G(2)", ""));
+  const auto constructor = Constructor::compile(formatWith("R(1^3) S(1) G(2)", ""));
   ASSERT_TRUE(constructor->buildFragment(**source, 0, 1, path(0)));
   const std::string bytes = *readTextFile(path(0));
   constexpr std::size_t kChecksum = 16;
