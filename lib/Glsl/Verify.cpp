@@ -216,7 +216,7 @@ private:
   std::string ofConstructor(Expression &call, const Declaration &structure) {
     if (structure.kind == Declaration::Kind::Structure &&
         !std::ranges::equal(structure.variables, call.operands,
-                            [](const Variable &m, const Expression &e) { return m.type == e.type; }))
+                            [](const Variable &m, const Expression &e) { return converts(e.type, m.type); }))
       fail(call, "does not give a struct all its members");
     return call.text;
   }

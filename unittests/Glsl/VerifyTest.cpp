@@ -47,6 +47,9 @@ TEST(Verify, SaysWhatDoesNotFit) {
             "f: 'a' is of type 'int' where 'bool' is wanted");
   EXPECT_EQ(problemOf("struct A { int a; int b; };\nA f() { return A(1); }"),
             "f: 'A(1)' does not give a struct all its members");
+  EXPECT_EQ(problemOf("struct A { float a; };\nA f(double a) { return A(a); }"),
+            "f: 'A(a)' does not give a struct all its members");
+  EXPECT_EQ(problemOf("struct A { double a; };\nA f() { return A(0.0f); }"), "");
   EXPECT_EQ(problemOf("const float A = 1;"), "A: '1' is of type 'int' where 'float' is wanted");
 }
 

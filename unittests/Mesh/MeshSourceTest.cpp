@@ -31,7 +31,7 @@ std::unique_ptr<VoxelSource> opened(const Scene &scene, const VoxelizeOptions &o
   return source ? std::move(*source) : nullptr;
 }
 
-Voxels voxelized(const Scene &scene, const VoxelizeOptions &options, const MeshTuning &tuning = {}) {
+Voxels voxelizedWith(const Scene &scene, const VoxelizeOptions &options, const MeshTuning &tuning = {}) {
   const auto source = opened(scene, options, tuning);
   return source ? voxelsOf(*source) : Voxels{};
 }
@@ -89,7 +89,8 @@ TEST(MeshSource, IsWhatTheReferenceSaysForEverySize) {
       EXPECT_GT(expected.size(), 1000u);
       for (const MeshTuning tuning : {MeshTuning{6, 7}, MeshTuning{5, 7}, MeshTuning{3, 7}, MeshTuning{3, 1},
                                       MeshTuning{4, 0}, MeshTuning{6, 0}})
-        EXPECT_EQ(voxelized(scene, options, tuning), expected) << tuning.log2Chunk << " " << tuning.log2Grid;
+        EXPECT_EQ(voxelizedWith(scene, options, tuning), expected)
+            << tuning.log2Chunk << " " << tuning.log2Grid;
     }
   }
 }
@@ -103,9 +104,9 @@ TEST(MeshSource, CroppedIsWhatTheReferenceSays) {
     options.zUp = zUp;
     for (const Coverage coverage : kAllCoverages) {
       options.coverage = coverage;
-      EXPECT_EQ(voxelized(scene, options), reference(scene, options));
+      EXPECT_EQ(voxelizedWith(scene, options), reference(scene, options));
     }
-    EXPECT_EQ(voxelized(scene, options, {3, 2}), reference(scene, options));
+    EXPECT_EQ(voxelizedWith(scene, options, {3, 2}), reference(scene, options));
   }
 }
 
@@ -114,14 +115,14 @@ TEST(MeshSource, MemoryBoundDoesNotMatter) {
   const Scene scene = sceneOf({randomPart(random, 20000)});
   const auto tight = WorkingMemory::create(1 << 16);
   const auto source = opened(scene, optionsOf(100), {3, 7}, tight);
-  EXPECT_EQ(voxelsOf(*source), voxelized(scene, optionsOf(100)));
+  EXPECT_EQ(voxelsOf(*source), voxelizedWith(scene, optionsOf(100)));
   EXPECT_GT(tight->scratchPeak(), 0u);
 }
 
 TEST(MeshSource, EmptyIsExactInsideAChunk) {
   std::mt19937 random(4);
   const Scene scene = sceneOf({randomPart(random, 30)});
-  const Voxels voxels = voxelized(scene, optionsOf(64));
+  const Voxels voxels = voxelizedWith(scene, optionsOf(64));
   const auto source = opened(scene, optionsOf(64));
   for (int log2Side = 5; log2Side >= 0; --log2Side)
     for (int i = 0; i < 300; ++i) {
@@ -140,7 +141,7 @@ TEST(MeshSource, AnyOrderOfAskingIsAnswered) {
   std::mt19937 random(5);
   const Scene scene = sceneOf({randomPart(random, 50)});
   const MeshTuning tuning{4, 1};
-  const Voxels voxels = voxelized(scene, optionsOf(100), tuning);
+  const Voxels voxels = voxelizedWith(scene, optionsOf(100), tuning);
   const auto source = opened(scene, optionsOf(100), tuning);
   for (int i = 0; i < 400; ++i) {
     const Int3 low{static_cast<int>(random() % 17) * 8, static_cast<int>(random() % 17) * 8,
@@ -183,7 +184,7 @@ TEST(MeshSource, OrderAndWindingDoNotDecideWhichVoxels) {
   std::mt19937 random(8);
   HandPart part = randomPart(random, 100);
   for (const Coverage coverage : kCoverages) {
-    const auto places = placesOf(voxelized(sceneOf({part}), optionsOf(90, coverage)));
+    const auto places = placesOf(voxelizedWith(sceneOf({part}), optionsOf(90, coverage)));
     HandPart shuffled = part;
     std::vector<std::size_t> order(part.positions.size() / 3);
     std::iota(order.begin(), order.end(), 0);
@@ -194,7 +195,7 @@ TEST(MeshSource, OrderAndWindingDoNotDecideWhichVoxels) {
       for (std::size_t corner = 0; corner < 3; ++corner)
         shuffled.positions[3 * i + corner] = part.positions[3 * order[i] + corners[corner]];
     }
-    EXPECT_EQ(placesOf(voxelized(sceneOf({shuffled}), optionsOf(90, coverage))), places);
+    EXPECT_EQ(placesOf(voxelizedWith(sceneOf({shuffled}), optionsOf(90, coverage))), places);
   }
 }
 
@@ -203,16 +204,16 @@ TEST(MeshSource, IndicesAndModesAreFollowed) {
   HandPart plain;
   for (const std::size_t i : {0, 1, 2, 1, 3, 2, 2, 3, 4})
     plain.positions.push_back(corners[i]);
-  const auto expected = placesOf(voxelized(sceneOf({plain}), optionsOf(40)));
+  const auto expected = placesOf(voxelizedWith(sceneOf({plain}), optionsOf(40)));
   const auto indexed = sceneOf({{corners, {0, 1, 2, 1, 3, 2, 2, 3, 4}}});
-  EXPECT_EQ(placesOf(voxelized(indexed, optionsOf(40))), expected);
+  EXPECT_EQ(placesOf(voxelizedWith(indexed, optionsOf(40))), expected);
   const auto strip = sceneOf({{corners}});
   strip->parts[0].mode = PrimitiveMode::TriangleStrip;
-  EXPECT_EQ(placesOf(voxelized(strip, optionsOf(40))), expected);
+  EXPECT_EQ(placesOf(voxelizedWith(strip, optionsOf(40))), expected);
   const std::vector<std::uint16_t> indices{0, 1, 2, 1, 3, 2, 2, 3, 4};
   const auto small = sceneOf({{corners}});
   small->parts[0].indices = test::viewOf(indices, AttributeView::Type::Uint16, 1);
-  EXPECT_EQ(placesOf(voxelized(small, optionsOf(40))), expected);
+  EXPECT_EQ(placesOf(voxelizedWith(small, optionsOf(40))), expected);
 }
 
 /// A quarter turn about z, twice the size, moved by (3, -1, 0.5): exact in floats.
@@ -226,8 +227,8 @@ TEST(MeshSource, InstancesAreTheirTrianglesWrittenOut) {
     p = {3 - 2 * p[1], 2 * p[0] - 1, 2 * p[2] + 0.5f};
   const auto instanced = sceneOf({part});
   instanced->instances.push_back({0, kMove});
-  EXPECT_EQ(voxelized(instanced, optionsOf(100)), voxelized(sceneOf({part, moved}), optionsOf(100)));
-  EXPECT_EQ(reference(instanced, optionsOf(100)), voxelized(instanced, optionsOf(100)));
+  EXPECT_EQ(voxelizedWith(instanced, optionsOf(100)), voxelizedWith(sceneOf({part, moved}), optionsOf(100)));
+  EXPECT_EQ(reference(instanced, optionsOf(100)), voxelizedWith(instanced, optionsOf(100)));
 }
 
 TEST(MeshSource, HasAllVoxelsOfTheRegionThatIsAskedFor) {
@@ -245,7 +246,7 @@ TEST(MeshSource, HasAllVoxelsOfTheRegionThatIsAskedFor) {
   for (const bool zUp : {false, true}) {
     VoxelizeOptions options = optionsOf(120);
     options.zUp = zUp;
-    const Voxels all = voxelized(scene, options);
+    const Voxels all = voxelizedWith(scene, options);
     for (int i = 0; i < test::rounds(8); ++i) {
       options.regions.resize(1 + random() % 3);
       for (auto &[low, high] : options.regions)
@@ -264,7 +265,7 @@ TEST(MeshSource, HasAllVoxelsOfTheRegionThatIsAskedFor) {
         return those;
       };
       for (const MeshTuning tuning : {MeshTuning{6, 7}, MeshTuning{3, 7}, MeshTuning{4, 1}})
-        EXPECT_EQ(inside(voxelized(scene, options, tuning)), inside(all)) << "region " << i;
+        EXPECT_EQ(inside(voxelizedWith(scene, options, tuning)), inside(all)) << "region " << i;
     }
   }
 }
@@ -310,7 +311,7 @@ TEST(MeshSource, TurnedAndMirroredMeshesGiveTurnedAndMirroredVoxels) {
   for (const Coverage coverage : kCoverages) {
     VoxelizeOptions options = optionsOf(24, coverage);
     options.bounds = {{0, 0, 0, kSide, kSide, kSide}};
-    const auto places = placesOf(voxelized(soupOf(corners), options));
+    const auto places = placesOf(voxelizedWith(soupOf(corners), options));
     do
       for (int signs = 0; signs < 8; ++signs) {
         const Symmetry symmetry{axes, signs};
@@ -323,7 +324,7 @@ TEST(MeshSource, TurnedAndMirroredMeshesGiveTurnedAndMirroredVoxels) {
           const auto image = symmetry(std::array<int, 3>{cell.x, cell.y, cell.z}, 23);
           expected.insert(mortonCode({image[0], image[1], image[2]}));
         }
-        ASSERT_EQ(placesOf(voxelized(soupOf(images), options)), expected);
+        ASSERT_EQ(placesOf(voxelizedWith(soupOf(images), options)), expected);
       }
     while (std::next_permutation(axes.begin(), axes.end()));
   }
@@ -334,10 +335,10 @@ TEST(MeshSource, UpTurnsTheMesh) {
   HandPart part = randomPart(random, 40);
   VoxelizeOptions options = optionsOf(60);
   options.zUp = true;
-  const Voxels turned = voxelized(sceneOf({part}), options);
+  const Voxels turned = voxelizedWith(sceneOf({part}), options);
   for (Corner &p : part.positions)
     p = {p[0], p[2], -p[1]};
-  EXPECT_EQ(voxelized(sceneOf({part}), optionsOf(60)), turned);
+  EXPECT_EQ(voxelizedWith(sceneOf({part}), optionsOf(60)), turned);
 }
 
 } // namespace
