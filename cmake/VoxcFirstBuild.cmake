@@ -33,22 +33,22 @@ endfunction()
 file(STRINGS "${CMAKE_CURRENT_LIST_DIR}/alone.txt" VOXC_ALONE REGEX "^[^#]")
 list(TRANSFORM VOXC_ALONE PREPEND "${PROJECT_SOURCE_DIR}/")
 
-# voxc_together(TARGET): the files of a library are compiled together, a dozen as one.
+# voxc_together(TARGET [FILE...]): the files of a library are compiled together, a dozen as one; but for these.
 function(voxc_together target)
   if(VOXC_FIRST_BUILD)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
-    set_source_files_properties(${VOXC_ALONE} TARGET_DIRECTORY ${target} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-    cmake_language(EVAL CODE "cmake_language(DEFER CALL voxc_deal ${target})") # When all of its files are known.
+    set_source_files_properties(${VOXC_ALONE} ${ARGN} TARGET_DIRECTORY ${target} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    cmake_language(EVAL CODE "cmake_language(DEFER CALL voxc_deal ${target} ${ARGN})") # When all of its files are known.
   endif()
 endfunction()
 
-# voxc_deal(TARGET): files of one folder, whose local names are often the same, go to different dozens; but those that read LLVM's
+# voxc_deal(TARGET FILE...): files of one folder, whose local names are often the same, go to different dozens; but those that read LLVM's
 # headers stay together.
 function(voxc_deal target)
   get_target_property(sources ${target} SOURCES)
   set(others ${sources})
   list(FILTER others INCLUDE REGEX "/lib/Jit/")
-  foreach(source IN LISTS VOXC_ALONE)
+  foreach(source IN LISTS VOXC_ALONE ARGN)
     if(source IN_LIST sources)
       list(APPEND others "${source}")
     endif()

@@ -76,6 +76,6 @@ Start come_near(inout Ray ray, real3 face) {
   steep = mix(real3(0.0f), steep, ray.moves);
   start.t_error =
       2.0f * start.wrong * float(max(max(steep.x, steep.y), steep.z)) + (latest + 0.5f * far_away()) * float(ROUNDINGS) / 4.0f;
-  start.wrong += far_away() / 4194304.0f; // What is behind, and that rounding.
+  start.wrong += DOUBLES ? 0.0f : far_away() / 4194304.0f; // What is behind, and that rounding.
   return start;
 }
