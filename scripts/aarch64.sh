@@ -24,7 +24,7 @@ readonly formats=(
 )
 
 # Each volume that is built reserves 2^35 bytes of addresses, some tests build several, and qemu keeps a table of every page that was ever
-# reserved: within 2^39 bytes it takes the same addresses again, in 3.5 GB. 2^37 are too few for Edit.GivesTheWordsOfABuild.
+# reserved: within 2^39 bytes it takes the same addresses again, in 3.4 GB a process. 2^37 are too few for Edit.GivesTheWordsOfABuild.
 emulated() { qemu-aarch64 -R 0x8000000000 -L "$sysroot" "$@"; }
 
 counted() { # PART RESULT: its tests that ended so.

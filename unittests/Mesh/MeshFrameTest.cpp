@@ -23,7 +23,7 @@ Voxels voxelized(const std::shared_ptr<TriangleScene> &scene, const VoxelizeOpti
   return source ? voxelsOf(**source) : Voxels{};
 }
 
-const std::vector<Corner> kSquareCorners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+const std::vector<Corner> kUnitTriangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
 
 TEST(MeshFrame, FarFaceIsKeptInTheLastVoxels) {
   // A box of 4 x 2 x 1: its faces lie on the faces of the extent.
@@ -136,20 +136,20 @@ TEST(MeshFrame, BadScenesAreErrors) {
   EXPECT_EQ(problem(soupOf({})), "the mesh has no triangle");
   EXPECT_NE(problem(soupOf({{0, 0, 0}, {1, 0, 0}, {0, NAN, 0}})).find("finite"), std::string::npos);
   EXPECT_NE(problem(soupOf({{0, 0, 0}, {1, 0, 0}, {0, INFINITY, 0}})).find("finite"), std::string::npos);
-  auto scene = soupOf(kSquareCorners);
+  auto scene = soupOf(kUnitTriangle);
   scene->instances[0].toModel[0][0] = 1e308;
   scene->instances[0].toModel[3][0] = 1e308;
   EXPECT_NE(problem(scene).find("finite"), std::string::npos);
-  EXPECT_NE(problem(sceneOf({{kSquareCorners, {0, 1, 3}}})).find("vertex that does not exist"),
+  EXPECT_NE(problem(sceneOf({{kUnitTriangle, {0, 1, 3}}})).find("vertex that does not exist"),
             std::string::npos);
-  EXPECT_NE(problem(sceneOf({{kSquareCorners, {}, {{0, 0}}}})).find("not for all"), std::string::npos);
-  scene = soupOf(kSquareCorners);
+  EXPECT_NE(problem(sceneOf({{kUnitTriangle, {}, {{0, 0}}}})).find("not for all"), std::string::npos);
+  scene = soupOf(kUnitTriangle);
   scene->parts[0].material = 1;
   EXPECT_NE(problem(scene).find("material that does not exist"), std::string::npos);
-  scene = soupOf(kSquareCorners);
+  scene = soupOf(kUnitTriangle);
   scene->instances[0].part = 1;
   EXPECT_NE(problem(scene).find("part that does not exist"), std::string::npos);
-  scene = soupOf(kSquareCorners);
+  scene = soupOf(kUnitTriangle);
   scene->materials[0].alphaMask.texture = 0;
   EXPECT_NE(problem(scene).find("texture that does not exist"), std::string::npos);
   scene->textures.push_back(test::textureOf(2, 2, {1, 2, 3}));
@@ -157,7 +157,7 @@ TEST(MeshFrame, BadScenesAreErrors) {
 }
 
 TEST(MeshFrame, TooManyTrianglesAreAnError) {
-  auto scene = soupOf(kSquareCorners);
+  auto scene = soupOf(kUnitTriangle);
   MeshPart &part = scene->parts[0];
   part.positions.count = std::uint64_t{3} << 32;
   part.positions.stride = 0;
@@ -167,23 +167,23 @@ TEST(MeshFrame, TooManyTrianglesAreAnError) {
 TEST(MeshFrame, BadBoundsAreErrors) {
   VoxelizeOptions options;
   options.bounds = {{0, 0, 0, -1, 1, 1}};
-  EXPECT_NE(problem(soupOf(kSquareCorners), options).find("bounds"), std::string::npos);
+  EXPECT_NE(problem(soupOf(kUnitTriangle), options).find("bounds"), std::string::npos);
   options.bounds = {{0, 0, 0, NAN, 1, 1}};
-  EXPECT_NE(problem(soupOf(kSquareCorners), options).find("bounds"), std::string::npos);
+  EXPECT_NE(problem(soupOf(kUnitTriangle), options).find("bounds"), std::string::npos);
   options = {};
   options.maxExtent = {256, 512, 512};
-  EXPECT_NE(problem(soupOf(kSquareCorners), options).find("256x512x512"), std::string::npos);
+  EXPECT_NE(problem(soupOf(kUnitTriangle), options).find("256x512x512"), std::string::npos);
 }
 
 TEST(MeshFrame, StopsWhenAsked) {
   std::atomic<bool> stop = true;
   VoxelizeOptions options;
   options.progress.stop = &stop;
-  const auto stopped = open(soupOf(kSquareCorners), options);
+  const auto stopped = open(soupOf(kUnitTriangle), options);
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().kind, ErrorKind::Interrupted);
   stop = false;
-  auto source = open(soupOf(kSquareCorners), options);
+  auto source = open(soupOf(kUnitTriangle), options);
   ASSERT_TRUE(source);
   stop = true;
   Voxels voxels;
@@ -199,7 +199,7 @@ TEST(MeshFrame, TellsHowFarItIs) {
     EXPECT_EQ(stage, "bin");
     fractions.push_back(fraction);
   };
-  voxelized(soupOf(kSquareCorners), options);
+  voxelized(soupOf(kUnitTriangle), options);
   EXPECT_EQ(fractions, (std::vector<double>{0, 0.5}));
 }
 
