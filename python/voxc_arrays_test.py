@@ -119,6 +119,52 @@ class Arrays(unittest.TestCase):
         # And hits are theirs.
         self.assertEqual(np.from_dlpack(hits["t"]).tolist(), hits["t"].tolist())
 
+    def test_the_order_of_an_array_means_nothing(self):
+        numbers = np.random.default_rng(17).integers(0, 255, (5, 6, 7))
+        kinds = {"voxels": [numbers > 99, numbers.astype(np.uint32) | 0xFF000000, np.stack([numbers] * 3, -1).astype(np.uint8)],
+                 "labels": [numbers.astype(np.uint16)], "greys": [numbers.astype(np.uint8)],
+                 "densities": [numbers.astype(np.float32), numbers.astype(np.int16)]}
+        for name, arrays in kinds.items():
+            options = {"threshold": 99.5} if name == "densities" else {}
+            for array in arrays:
+                expected = voxc.build("S(3)", **{name: np.ascontiguousarray(array)}, **options).read()
+                axes = (2, 0, 1, 3)[:array.ndim]
+                for given in (np.asfortranarray(array), np.ascontiguousarray(array.transpose(axes)).transpose(np.argsort(axes)),
+                              np.ascontiguousarray(array[::-1])[::-1]):
+                    np.testing.assert_array_equal(voxc.build("S(3)", **{name: given}, **options).read(), expected, (name, array.dtype))
+
+    def test_densities_are_compared_as_a_file_has_them(self):
+        densities = np.full((4, 4, 4), 0.2, np.float32)
+        densities[0, 0, 0], densities[1, 1, 1] = 0.7, 0.9  # The float32 of 0.7 is less than that.
+        self.assertEqual(voxc.build("G(2)", densities=densities, threshold=0.7).voxels, 1)
+        large = np.full((2, 2, 2), 2**53, np.int64)
+        large[0, 0, 0] += 1
+        self.assertEqual(voxc.build("G(1)", densities=large, threshold=2**53 + 1).voxels, 1)
+        for window in ((), (1, 2, 3), (2, 1), (0, float("inf"))):
+            with self.assertRaisesRegex(ValueError, "a window is two numbers"):
+                voxc.build("G(2)", densities=densities, threshold=0.5, window=window)
+        self.assertEqual(voxc.build("G(2)", densities=densities, threshold=0.5, window=np.array([0, 1])).voxels, 2)
+
+    def test_what_does_not_fit_is_told(self):
+        volume = voxc.build("G(3)", voxels=np.ones((8, 8, 8), bool))
+        for call in (lambda: volume.read((0, 0), (2, 2)), lambda: volume.read((0, 0, 0), (3, 3)), lambda: volume.read((2**32, 0, 0), (2, 2, 2)),
+                     lambda: voxc.build("G(3)", places=[[1, 1, 1]], extent=(2**32 + 8, 8, 8)),
+                     lambda: voxc.build("G(5)", "builtin:menger", resolution=2**32 + 27), lambda: list(volume.chunks(0))):
+            self.assertRaises(ValueError, call)
+        editable = voxc.Editable(volume)
+        for call in (lambda: editable.set_box((1, 2), (4, 5), 0), lambda: editable.set_box((0, 0, 0), (1, 1, 1), 2**32),
+                     lambda: editable.set_box((0, 0, 0), (1, 1, 1), -1), lambda: editable.apply((0, 0, 0), (1, 1, 1), lambda *_: 1.7),
+                     lambda: editable.set_sphere((4, 4, 4), -2, 0), lambda: editable.set_sphere((4, 4, 4), 2.5, 0)):
+            self.assertRaises(ValueError, call)
+        self.assertEqual(editable.voxels, 512)
+        self.assertRaisesRegex(voxc.UsageError, "changes what a volume stores", volume.tracer, "cpu", passes="palette=4")
+        self.assertRaisesRegex(voxc.UsageError, "leaves no choice", volume.tracer, "cpu", query="any", outputs="voxel")
+        self.assertRaisesRegex(ValueError, "has no formats", voxc.suggest, "builtin:full:8", formats=[])
+
+    def test_functions_of_bool_are_white(self):
+        volume = voxc.build("G(3)", voxel=lambda x, y, z: x < 2, extent=(4, 1, 1))
+        self.assertEqual(volume.points().colours.tolist(), [[255] * 4] * 2)
+
     def test_arrays_of_devices_are_told(self):
         with self.assertRaisesRegex(ValueError, r"voxels lie in the memory of another device; \.cpu\(\) of torch"):
             voxc.build("G(5)", voxels=Shared(ball(), device=2))

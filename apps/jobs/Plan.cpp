@@ -5,11 +5,11 @@
 #include "cluster/EvenCut.h"
 #include "common/Files.h"
 #include "common/Terminal.h"
+#include "jobs/InputContent.h"
 #include "options/Figures.h"
 #include "options/InputArguments.h"
 #include "options/Outputs.h"
 #include "program/Applications.h"
-#include "voxc/Measure/InputContent.h"
 
 #include <filesystem>
 #include <numeric>
@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 std::string absoluteInput(const std::string &input) {
   if (input.starts_with("builtin:"))
     return input;
-  const std::string path = measure::fileOf(input);
+  const std::string path = fileOf(input);
   return input.substr(0, input.size() - path.size()) + fs::absolute(path).lexically_normal().string();
 }
 
@@ -86,8 +86,8 @@ private:
 
   Expected<void> nameInput(BuildPlan &plan, const InputArguments &arguments) const {
     plan.input = absoluteInput(building_.input());
-    const auto files = VOXC_TRY(measure::contentFiles(plan.input));
-    for (const measure::ContentFile &file : files) {
+    const auto files = VOXC_TRY(contentFiles(plan.input));
+    for (const ContentFile &file : files) {
       const auto digest = VOXC_TRY(fileDigest(file.path));
       if (file.path.find('\n') != std::string::npos)
         return Error::input("'" + file.path + "' has a line break in its name, which a plan cannot hold");

@@ -4,8 +4,8 @@
 #include "sweep/Model.h"
 #include "sweep/RaySet.h"
 
+#include "common/FormatList.h"
 #include "voxc/IR/Format.h"
-#include "voxc/Measure/FormatList.h"
 #include "voxc/Measure/Record.h"
 #include "voxc/Support/Error.h"
 

@@ -2,8 +2,8 @@
 #include "sweep/Model.h"
 
 #include "common/NumberedName.h"
+#include "jobs/InputContent.h"
 #include "voxc/Measure/Digest.h"
-#include "voxc/Measure/InputContent.h"
 
 #include <algorithm>
 #include <cctype>

@@ -28,7 +28,7 @@ Expected<void> build(const voxc_format *format, VoxelSource &source, const voxc_
 
 Expected<void> build(const voxc_format *format, VoxelSource &source, const voxc_build_options *options,
                      voxc_volume **volume) {
-  const voxc_build_options given = optionsOf(options);
+  const auto given = VOXC_TRY(optionsOf(options));
   const CallersProgress progress(given.progress);
   return build(format, source, given, memoryOf(given), progress.get(), "", volume);
 }
@@ -107,8 +107,8 @@ voxc_error *voxc_build_input(const voxc_format *format, const char *input,
                              const voxc_input_options *input_options, const voxc_build_options *options,
                              voxc_volume **volume) {
   return guarded([&]() -> Expected<void> {
-    const voxc_build_options given = optionsOf(options);
-    const voxc_input_options read = optionsOf(input_options);
+    const auto given = VOXC_TRY(optionsOf(options));
+    const auto read = VOXC_TRY(optionsOf(input_options));
     const CallersProgress progress(given.progress);
     auto asked = VOXC_TRY(CallersInput::of(input, read));
     if (hasLabels(format->format) && asked.arguments().colourMap.empty())

@@ -48,7 +48,11 @@ voxc_error *voxc_editable_set_box(voxc_editable *editable, const int32_t low[3],
 
 voxc_error *voxc_editable_set_sphere(voxc_editable *editable, const int32_t centre[3], int32_t radius,
                                      uint32_t word) {
-  return guarded([&] { return edit(editable, makeSphereChange(int3(centre), radius, word)); });
+  return guarded([&]() -> Expected<void> {
+    if (radius < 0)
+      return Error::usage("the radius of a sphere is 0 or more, not " + std::to_string(radius));
+    return edit(editable, makeSphereChange(int3(centre), radius, word));
+  });
 }
 
 voxc_error *voxc_editable_set_voxels(voxc_editable *editable, const int32_t *places, const uint32_t *words,
@@ -121,7 +125,7 @@ int voxc_editable_wants_compaction(const voxc_editable *editable) {
 voxc_error *voxc_editable_compact(const voxc_editable *editable, const voxc_build_options *options,
                                   voxc_volume **volume) {
   return guarded([&]() -> Expected<void> {
-    const voxc_build_options given = optionsOf(options);
+    const auto given = VOXC_TRY(optionsOf(options));
     const CallersProgress progress(given.progress);
     BuildOptions building = buildOptionsOf(given, progress.get());
     building.memory = memoryOf(given);

@@ -44,9 +44,9 @@ voxc_error *ask(Answer &answer, const char *device, const char *input,
                 const voxc_input_options *input_options, const voxc_choice_options *options,
                 voxc_format_table **table) {
   return guarded([&]() -> Expected<void> {
-    const voxc_choice_options given = optionsOf(options);
+    const auto given = VOXC_TRY(optionsOf(options));
     const CallersProgress progress(given.progress);
-    auto asked = VOXC_TRY(CallersInput::of(input, optionsOf(input_options)));
+    auto asked = VOXC_TRY(CallersInput::of(input, VOXC_TRY(optionsOf(input_options))));
     fillResolution(asked.arguments(), asked.name());
     FormatQuestion question = questionOf(given, device);
     question.memory = memoryOf({.memory_bytes = given.memory_bytes});

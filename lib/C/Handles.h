@@ -74,9 +74,13 @@ inline Expected<void> handOver(Expected<Volume> made, voxc_volume **volume) {
   return {};
 }
 
-/// Options as the caller's library knew them; what it did not know, or all without options, is 0.
-template <typename Options> Options optionsOf(const Options *given) {
+/// Options as the caller's library knew them; what it did not know, or all without options, is 0. Error: a
+/// size that no options have.
+template <typename Options> Expected<Options> optionsOf(const Options *given) {
   Options options{};
+  if (given && given->struct_size <= sizeof given->struct_size)
+    return Error::usage("the struct_size of options is " + std::to_string(given->struct_size) +
+                        "; begin them with their macro, as VOXC_TRACER_OPTIONS, which sets it");
   if (given)
     std::memcpy(&options, given, std::min(given->struct_size, sizeof options));
   return options;

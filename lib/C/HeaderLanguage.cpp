@@ -35,7 +35,8 @@ Expected<std::string> functionsOf(const Format &format, const char *name, Header
 voxc_error *voxc_emit_header_in(const voxc_format *format, const char *language, const char *name,
                                 char **text) {
   return guarded([&]() -> Expected<void> {
-    const std::optional<HeaderLanguage> chosen = fromString<HeaderLanguage>(language);
+    const std::optional<HeaderLanguage> chosen =
+        language ? fromString<HeaderLanguage>(language) : HeaderLanguage::Shared;
     if (!chosen)
       return Error::usage("there are no headers in '" + std::string(language) + "'; there are " +
                           allLanguages());

@@ -59,7 +59,7 @@ size_t voxc_devices(voxc_device_info *devices, size_t capacity) {
 voxc_error *voxc_tracer_load(const voxc_volume *volume, const char *kernel_path,
                              const voxc_tracer_options *options, voxc_tracer **tracer) {
   return guarded([&]() -> Expected<void> {
-    const voxc_tracer_options given = optionsOf(options);
+    const auto given = VOXC_TRY(optionsOf(options));
     auto kernel = VOXC_TRY(Kernel::load(kernel_path));
     auto device = VOXC_TRY(Device::open(textOr(given.device, "")));
     auto made = std::make_unique<voxc_tracer>();

@@ -106,7 +106,7 @@ Expected<Camera> cameraOf(const voxc_picture_options &options, const Volume &vol
 
 voxc_error *voxc_render(voxc_tracer *tracer, const voxc_picture_options *options, uint32_t *pixels) {
   return guarded([&]() -> Expected<void> {
-    const voxc_picture_options given = optionsOf(options);
+    const auto given = VOXC_TRY(optionsOf(options));
     const Question question = questionOf(tracer->format);
     if (!isOfHits(question.query) || !question.outputs.voxel || !question.outputs.t ||
         !question.outputs.colour)

@@ -20,6 +20,17 @@ Expected<void> setOutputs(Format &format, std::string_view list) {
   return {};
 }
 
+/// Error: a pass changes what a volume stores.
+Expected<void> checkTraversal(const std::vector<std::string> &names) {
+  for (const std::string &name : names) {
+    const Pass *const pass = findPass(name);
+    if (pass && pass->effect != AttributeEffect::Traversal)
+      return Error::usage("pass '" + name +
+                          "' changes what a volume stores; build the volume with it instead");
+  }
+  return {};
+}
+
 /// What a kernel shall do, as a format.
 Expected<Format> kernelFormat(const Volume &volume, const voxc_tracer_options &options) {
   Format format = volume.format();
@@ -34,13 +45,17 @@ Expected<Format> kernelFormat(const Volume &volume, const voxc_tracer_options &o
       return Error::usage(std::string(kind.name) + " cannot be '" + value + "'");
     format.setAttribute(kind, value);
   }
+  if (options.outputs && format.attributes.get(kQueryAttribute) != Query::Closest)
+    return Error::usage("outputs are of the query closest; another one leaves no choice");
   if (options.outputs)
     VOXC_TRY(setOutputs(format, options.outputs));
   if (options.bounds)
     askForBounds(format);
   if (const std::string_view problem = problemOfQuestion(format); !problem.empty())
     return Error::usage("the format " + std::string(problem));
-  VOXC_TRY(runPasses(format, namesIn(textOr(options.passes, ""))));
+  const std::vector<std::string> passes = namesIn(textOr(options.passes, ""));
+  VOXC_TRY(checkTraversal(passes));
+  VOXC_TRY(runPasses(format, passes));
   return format;
 }
 
@@ -49,7 +64,7 @@ Expected<Format> kernelFormat(const Volume &volume, const voxc_tracer_options &o
 voxc_error *voxc_tracer_create(const voxc_volume *volume, const voxc_tracer_options *options,
                                voxc_tracer **tracer) {
   return guarded([&]() -> Expected<void> {
-    const voxc_tracer_options given = optionsOf(options);
+    const auto given = VOXC_TRY(optionsOf(options));
     const DeviceInfo processor = cpuDeviceInfo();
     auto made = std::make_unique<voxc_tracer>();
     made->volume = volume->volume;

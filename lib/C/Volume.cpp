@@ -39,8 +39,8 @@ std::uint32_t *readRow(const Volume &volume, const std::array<std::int64_t, 3> &
 } // namespace
 
 voxc_error *voxc_volume_load(const char *path, const voxc_load_options *options, voxc_volume **volume) {
-  return guarded([&] {
-    const voxc_load_options given = optionsOf(options);
+  return guarded([&]() -> Expected<void> {
+    const auto given = VOXC_TRY(optionsOf(options));
     const CallersProgress progress(given.progress);
     LoadOptions load{.trusted = given.trusted != 0, .threads = given.threads, .progress = progress.get()};
     load.frame = given.frame;

@@ -109,6 +109,8 @@ private:
       const std::string known = listed(taken, [](const AttributeKind *kind) { return kind->name; });
       diagnostics_.error(name.range,
                          quoted(name) + " is no attribute of " + std::string(owner) + "; it has " + known);
+      if (lexer_.accept('=')) // Its value begins no level, even where it is called so.
+        lexer_.nextValue();
       return false;
     }
     if (!expect('='))

@@ -50,12 +50,13 @@ bool readInfo(png_structp png, png_infop info) {
 
 /// What is done with pixels while they are read.
 void setTransforms(png_structp png, const PngHeader &header, PngForm form) {
-  png_set_expand(png);
   if (header.isGrey) {
+    png_set_packing(png); // Of fewer bits each takes a byte, and stays the number that it is.
     if (header.isWide && std::endian::native == std::endian::little)
       png_set_swap(png);
     return;
   }
+  png_set_expand(png);
   if (form == PngForm::Texels)
     png_set_alpha_mode(png, PNG_ALPHA_PNG, PNG_DEFAULT_sRGB);
   if (header.isWide)

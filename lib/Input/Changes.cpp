@@ -33,6 +33,10 @@ bool isSaid(const std::string &provenance, Interior interior) {
 }
 
 Expected<void> changeInside(Input &input, const InputOptions &options) {
+  constexpr std::uint32_t kMostLabel = 0xffff;
+  if (options.interior == Interior::Fill && options.colourMap == "labels" && options.fillWord > kMostLabel)
+    return Error::usage("the inside of labels is filled with a label, its four bytes from the lowest on: "
+                        "--fill-colour 05000000 is label 5");
   const Stopwatch finding;
   const InteriorOptions means{options.memory, options.threads, options.progress};
   auto changed = VOXC_TRY(options.interior == Interior::Drop

@@ -12,7 +12,7 @@ namespace voxc {
 namespace {
 
 /// Inputs by what they are made of.
-enum InputMatter : unsigned { kMesh = 1, kDense = 2, kModels = 4, kBuiltin = 8, kOther = 16 };
+enum InputMatter : unsigned { kMesh = 1, kDense = 2, kModels = 4, kBuiltin = 8, kOther = 16, kCells = 32 };
 
 struct MatterRow {
   std::string_view mark; ///< A prefix if it ends in a colon, else an ending.
@@ -26,7 +26,7 @@ constexpr MatterRow kMatters[] = {
     {".hdr", kDense},       {".hdr.gz", kDense},    {".img", kDense},       {".img.gz", kDense},
     {".vdb", kDense},       {".nvdb", kDense},      {".png", kDense},       {".tif", kDense},
     {".npy", kDense},       {".npz", kDense},       {".tiff", kDense},      {".vox", kModels},
-    {".hvx", kOther},       {".binvox", kOther},    {".fbx", kMesh},        {".dae", kMesh},
+    {".hvx", kOther},       {".binvox", kCells},    {".fbx", kMesh},        {".dae", kMesh},
     {".3ds", kMesh},        {".off", kMesh},        {".x3d", kMesh},        {".vti", kDense},
     {".schem", kOther},     {".schematic", kOther}, {".litematic", kOther}, {".las", kMesh},
     {".laz", kOther},       {".e57", kOther},       {".vtk", kOther},
@@ -69,7 +69,7 @@ constexpr MeaningRow kMeanings[] = {
     {"--unit", kMesh | kDense, "meshes, points and scans",
      [](const InputArguments &arguments) { return !arguments.unit.empty(); }},
     {"--bounds", kMesh, "meshes", [](const InputArguments &arguments) { return !arguments.bounds.empty(); }},
-    {"--up", kMesh | kDense, "meshes and dense volumes",
+    {"--up", kMesh | kDense | kCells, "meshes and dense volumes",
      [](const InputArguments &arguments) { return !arguments.up.empty(); }},
     {"--coverage", kMesh, "meshes",
      [](const InputArguments &arguments) { return !arguments.coverage.empty(); }},

@@ -109,6 +109,7 @@ Expected<void> Renderer::expose(Film &film, unsigned sample) {
   VOXC_TRY(tracers_.camera(rays, hits, traceOptions()));
   if (volume_.layout().hasLabels())
     showLabels(hits);
+  result_.hits += static_cast<std::uint64_t>(std::ranges::count_if(hits, &Hit::isHit));
   if (sample == 0)
     for (const Hit &hit : hits)
       if (hit.isHit())

@@ -58,7 +58,7 @@ private:
 class SphereChange final : public VoxelChange {
 public:
   SphereChange(Int3 centre, int radius, std::uint32_t word)
-      : centre_(centre), squared_(std::int64_t{radius} * radius), word_(word) {}
+      : centre_(centre), squared_(radius < 0 ? -1 : std::int64_t{radius} * radius), word_(word) {}
 
   CubeChange of(const Cube &cube) override {
     std::int64_t nearest = 0, farthest = 0;
@@ -78,7 +78,7 @@ public:
 
 private:
   Int3 centre_;
-  std::int64_t squared_;
+  std::int64_t squared_; ///< Below 0: no voxel is near enough.
   std::uint32_t word_;
 };
 

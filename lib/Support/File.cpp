@@ -71,26 +71,36 @@ MappedFile &MappedFile::operator=(MappedFile &&other) noexcept {
   return *this;
 }
 
+bool OutputFile::isRegularAt(const std::string &path) {
+  const auto end = platform::followLinks(path);
+  return end && !end->isOpen && platform::kindOf(path) != PathKind::Other;
+}
+
 Expected<OutputFile> OutputFile::create(const std::string &path) {
   const PathKind kind = platform::kindOf(path);
   if (kind == PathKind::Folder)
     return Error::input("'" + path + "' is a directory; name a file to write");
   OutputFile output;
   output.path_ = path;
-  // A pipe or a device is written to, never replaced by a file.
-  output.replaces_ = kind != PathKind::Other;
-  if (!output.open())
+  auto end = platform::followLinks(path);
+  if (!end)
+    return output.cannotWrite();
+  output.target_ = std::move(end->path);
+  // A pipe or a device is written to, never replaced by a file; so is what is open already.
+  output.replaces_ = kind != PathKind::Other && !end->isOpen;
+  if (!output.open() || (output.replaces_ && kind == PathKind::File &&
+                         !platform::takeAccessOf(output.target_, output.descriptor())))
     return output.cannotWrite();
   return output;
 }
 
 bool OutputFile::open() {
   int file =
-      replaces_ ? platform::openUnnamed(path_, platform::Access::Ordinary) : platform::openToWrite(path_);
+      replaces_ ? platform::openUnnamed(target_, platform::Access::Ordinary) : platform::openToWrite(target_);
   if (replaces_ && (file < 0 ? platform::hasNoUnnamed(errno) : !platform::canBeNamed(file))) {
     if (file >= 0)
       platform::close(file);
-    temporary_ = path_;
+    temporary_ = target_;
     file = platform::openNew(temporary_, platform::Access::Ordinary);
     if (file < 0)
       temporary_.clear();
@@ -100,8 +110,9 @@ bool OutputFile::open() {
 }
 
 OutputFile::OutputFile(OutputFile &&other) noexcept
-    : path_(std::move(other.path_)), temporary_(std::exchange(other.temporary_, {})),
-      replaces_(other.replaces_), file_(std::exchange(other.file_, nullptr)) {}
+    : path_(std::move(other.path_)), target_(std::move(other.target_)),
+      temporary_(std::exchange(other.temporary_, {})), replaces_(other.replaces_),
+      file_(std::exchange(other.file_, nullptr)) {}
 
 OutputFile::~OutputFile() {
   if (file_)
@@ -132,8 +143,8 @@ int OutputFile::descriptor() const { return platform::fileOf(file_); }
 Expected<void> OutputFile::commit() {
   if (std::fflush(file_) != 0 || (replaces_ && !platform::writeThrough(descriptor())))
     return cannotWrite();
-  const bool isNamed = !replaces_ || (temporary_.empty() ? platform::giveName(descriptor(), path_)
-                                                         : platform::renameOver(temporary_, path_));
+  const bool isNamed = !replaces_ || (temporary_.empty() ? platform::giveName(descriptor(), target_)
+                                                         : platform::renameOver(temporary_, target_));
   if (!isNamed)
     return cannotWrite();
   temporary_.clear();

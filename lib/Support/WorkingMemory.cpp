@@ -34,7 +34,8 @@ Error lackOfAddresses(std::uint64_t bytes) {
   std::string text = "cannot reserve addresses for " + std::to_string(bytes) + " bytes";
   if (const auto most = platform::mostAddresses())
     text += ": a limit allows this process " + std::to_string(*most) +
-            "; 'ulimit -v unlimited' raises it (memory is only taken as it is used, and --memory bounds it)";
+            "; 'ulimit -v unlimited' raises it (memory is only taken as it is used, and --memory bounds it), "
+            "and a build with --threads 1 and --max-bytes asks for fewer";
   return Error::environment(std::move(text));
 }
 

@@ -87,10 +87,10 @@ std::uint64_t pagesOf(std::span<const Stream> streams, std::uint64_t pageBytes) 
 } // namespace
 
 Expected<PagedFileWriter> PagedFileWriter::create(const std::string &path) {
-  auto file = VOXC_TRY(OutputFile::create(path));
-  if (!file.isRegular())
+  if (!OutputFile::isRegularAt(path))
     return Error::input("'" + path +
                         "' is no regular file, and a compressed volume can be written to such a one only");
+  auto file = VOXC_TRY(OutputFile::create(path));
   return PagedFileWriter(std::move(file));
 }
 

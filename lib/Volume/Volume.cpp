@@ -77,7 +77,16 @@ Expected<void> Volume::chooseFrame(int number) {
   return {};
 }
 
-std::string journalPathOf(const std::string &volumePath) { return volumePath + ".journal"; }
+/// A volume that links lead to has the one journal of its own name.
+std::string journalPathOf(const std::string &volumePath) {
+  constexpr const char *kEnding = ".journal";
+  const std::filesystem::path path = platform::pathFrom(volumePath);
+  std::error_code failure;
+  if (!std::filesystem::is_symlink(path, failure))
+    return volumePath + kEnding;
+  const std::filesystem::path own = std::filesystem::weakly_canonical(path, failure);
+  return (failure ? volumePath : platform::utf8From(own)) + kEnding;
+}
 
 Expected<void> checkNoJournal(const std::string &volumePath) {
   constexpr std::uintmax_t kHeadBytes = 32; // Of a journal that was begun, and has no edits.

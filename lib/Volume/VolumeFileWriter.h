@@ -15,13 +15,11 @@ namespace voxc {
 /// Takes complete pages of words as they are made; the rest, and all other streams, follow at the end.
 class VolumeFileWriter {
 public:
-  /// `info`: as it will be, but for the number of voxels. `streams`: how many there will be. Errors: as
-  /// `OutputFile::create`.
+  /// `info`: as it will be, but for the number of voxels. `streams`: how many there will be. `path` is that
+  /// of a regular file, or will be. Errors: as `OutputFile::create`.
   static Expected<VolumeFileWriter> create(const std::string &path, const VolumeInfo &info,
                                            std::size_t streams = 1);
 
-  /// True if words can be flushed: the file is not a pipe or a device.
-  bool canFlush() const { return file_.isRegular(); }
   /// Writes pages of the block in which the words lie, and maps them from the file. Error: `Environment`, a
   /// full disk.
   Expected<void> flush(MemoryBlock &block, std::uint64_t begin, std::uint64_t bytes, WorkingMemory &memory);

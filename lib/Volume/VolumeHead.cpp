@@ -4,12 +4,15 @@
 #include "WordRecord.h"
 
 #include <cstring>
+#include <string_view>
 
 namespace voxc {
 namespace {
 
 constexpr std::uint32_t kNewestVersion = kPagedVersion;
 constexpr std::uint64_t kMaxTextBytes = 1 << 20;
+/// What fragments begin with (docs/hvf.md).
+constexpr std::string_view kFragmentMagic = "\x89HVF\r\n\x1a\n";
 
 std::string truncated(std::uint64_t stated, const char *what, std::uint64_t fileBytes) {
   return "is truncated or has surplus bytes: its header speaks of " + std::to_string(stated) + what +
@@ -71,6 +74,8 @@ template <typename T> std::string bytesOf(std::span<const T> values) {
 Expected<Header> readHeader(std::span<const std::byte> file) {
   Header header;
   const Header expected;
+  if (std::string_view(reinterpret_cast<const char *>(file.data()), file.size()).starts_with(kFragmentMagic))
+    return Error::input("is a fragment of a volume; 'voxc merge' makes the volume of all its fragments");
   if (file.size() >= sizeof(Header))
     std::memcpy(&header, file.data(), sizeof(Header));
   if (file.size() < sizeof(Header) || header.magic != expected.magic)

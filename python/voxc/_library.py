@@ -1,6 +1,7 @@
 """The C library, loaded once: its structures, the types of its functions, and its errors as exceptions."""
 import ctypes
 import ctypes.util
+import operator
 import os
 import pathlib
 from ctypes import POINTER, c_char_p, c_double, c_float, c_int, c_int32, c_size_t, c_uint, c_uint32, c_uint64, c_void_p
@@ -214,7 +215,20 @@ def options(kind, **members):
     for name, value in members.items():
         if value is not None:
             setattr(made, name, value)
+            if isinstance(value, int) and getattr(made, name) != value:  # ctypes takes the low bits of what is too large.
+                raise ValueError(f"{name} cannot be {value}")
     return made
+
+
+def int3(values, what):
+    """Three whole numbers, along x, y and z, as the library takes them."""
+    try:
+        numbers = [operator.index(value) for value in values]
+    except TypeError:
+        numbers = []
+    if len(numbers) != 3 or any(not -2**31 <= number < 2**31 for number in numbers):
+        raise ValueError(f"{what} is three whole numbers of 32 bits, along x, y and z, and not {values}")
+    return (c_int32 * 3)(*numbers)
 
 
 class Reporter:

@@ -1,4 +1,6 @@
 """Arrays as the library takes them. What cannot be kept as it is, is a ValueError that says what would be right."""
+import math
+
 import numpy as np
 
 ALPHA = np.uint32(0xFF000000)
@@ -26,11 +28,11 @@ def grid_of(voxels):
     if voxels.ndim == 4:
         words = bytes_as_words(voxels)
         check_axes(words)
-        return np.ascontiguousarray(words)
+        return words
     check_axes(voxels)
     if voxels.dtype == bool:
         return np.where(voxels, SOLID, np.uint32(0))
-    return np.ascontiguousarray(as_words(voxels))
+    return as_words(voxels)
 
 
 def labels_of(labels):
@@ -40,7 +42,7 @@ def labels_of(labels):
     if labels.dtype.kind not in "iub":
         raise ValueError(f"labels are whole numbers, not {labels.dtype}; labels.astype('uint16') makes them so")
     check_range(labels, 0, MOST_LABEL, "labels")
-    return np.ascontiguousarray(labels, dtype=np.uint32)
+    return labels.astype(np.uint32)
 
 
 def greys_of(greys):
@@ -59,20 +61,27 @@ def densities_of(densities, threshold, window=None):
     check_axes(densities)
     if densities.dtype.kind not in "iuf":
         raise ValueError(f"densities are numbers, not {densities.dtype}")
-    if threshold is None or np.isnan(threshold):
+    if threshold is None or not np.isfinite(threshold):
         raise ValueError("densities need a threshold, a number from which on they are voxels")
     if densities.dtype.kind == "f" and not np.isfinite(densities).all():
         raise ValueError("some densities are no number (NaN) or infinite; numpy.nan_to_num makes them finite")
-    threshold = np.float64(threshold)  # Compared in float64, whatever the densities are.
-    solid = densities >= threshold
+    if densities.dtype.kind == "f":
+        densities = densities.astype(np.float64)  # NumPy 1 would round the threshold to the type of the densities.
+    solid = densities >= (threshold if densities.dtype.kind == "f" else math.ceil(threshold))  # Whole numbers may have more digits.
     if not solid.any():
         raise ValueError(f"no density reaches the threshold {threshold}; they are {densities.min()} to {densities.max()}")
-    low, high = window or (float(threshold), float(densities.max()))
-    if not low <= high:
-        raise ValueError(f"the window is {low} to {high}; its first end is to be the lower one")
+    low, high = (threshold, float(densities.max())) if window is None else ends_of(window)
     scaled = (np.clip(densities.astype(np.float64), low, high) - low) / (high - low if high > low else 1)
     grey = np.rint(scaled * 255).astype(np.uint32)
     return np.where(solid, grey * np.uint32(0x010101) | ALPHA, np.uint32(0))
+
+
+def ends_of(window):
+    """The two ends of a window of densities."""
+    ends = [float(end) for end in window]
+    if len(ends) != 2 or not np.isfinite(ends).all() or ends[0] > ends[1]:
+        raise ValueError(f"a window is two numbers, of which the first is the lower one, and not {window}")
+    return ends
 
 
 def places_of(places):
@@ -115,8 +124,10 @@ def as_words(numbers):
 
 
 def word_of(number):
-    """One word, as a function of the coordinates returns it."""
-    if number != int(number) or not 0 <= number <= 0xFFFFFFFF:
+    """One word, as a function of the coordinates returns it; True is white."""
+    if isinstance(number, (bool, np.bool_)):
+        return int(SOLID) if number else 0
+    if not 0 <= number <= 0xFFFFFFFF or number != int(number):
         raise ValueError(f"a voxel is a word from 0 to {0xFFFFFFFF}, not {number}")
     return int(number)
 

@@ -6,6 +6,8 @@ import inspect
 import os
 from typing import Any, Callable, Iterable, Optional, Sequence, Tuple, Union
 
+import numpy as np
+
 from . import _library as c
 from . import arrays
 from ._names import refuse_unknown
@@ -92,7 +94,7 @@ def build(format: Union[str, Format], input: Union[str, os.PathLike, None] = Non
         reporter.call(c.lib.voxc_build_grid, made._handle, words.ctypes.data, size, *last)
     else:
         asked = c.VOXEL(reporter.guard(lambda _, x, y, z: arrays.word_of(voxel(x, y, z))))
-        source = c.Source(_three(extent, "extent"), asked,
+        source = c.Source(c.int3(extent, "extent"), asked,
                           c.IS_EMPTY(reporter.guard(lambda _, *cube: bool(is_empty and is_empty(*cube)))), None)
         reporter.call(c.lib.voxc_build_source, made._handle, ctypes.byref(source), *last)
     return result
@@ -101,19 +103,15 @@ def build(format: Union[str, Format], input: Union[str, os.PathLike, None] = Non
 OPTIONS = tuple(name for name in inspect.signature(build).parameters if name not in ("format", "input_options")) + INPUT_OPTIONS
 
 
-def _three(extent, what):
-    """Voxels along x, y and z."""
-    if extent is None or len(extent) != 3:
-        raise ValueError(f"{what} is voxels along x, y and z, and not {extent}")
-    return (ctypes.c_int32 * 3)(*extent)
-
-
 def _grid(voxels, labels, greys, densities, threshold, window):
+    """Words [z, y, x] in the order of C, which is the library's, whatever the order of what was given."""
     if voxels is not None:
-        return arrays.grid_of(voxels)
-    if labels is not None:
-        return arrays.labels_of(labels)
-    return arrays.greys_of(greys) if greys is not None else arrays.densities_of(densities, threshold, window)
+        words = arrays.grid_of(voxels)
+    elif labels is not None:
+        words = arrays.labels_of(labels)
+    else:
+        words = arrays.greys_of(greys) if greys is not None else arrays.densities_of(densities, threshold, window)
+    return np.ascontiguousarray(words, np.uint32)
 
 
 def input_options_of(told, resolution=None, volume=None, z_up=None, threshold=None, crop=None, align=None, bounds=None, window=None,
@@ -138,5 +136,5 @@ def _numbers(values, count, what):
 def _build_places(reporter, made, places, colours, extent, last):
     places = arrays.places_of(places)
     words = arrays.colours_of(colours, len(places))
-    size = None if extent is None else _three(extent, "extent")
+    size = None if extent is None else c.int3(extent, "extent")
     reporter.call(c.lib.voxc_build_voxels, made._handle, places.ctypes.data, words.ctypes.data, len(places), size, *last)

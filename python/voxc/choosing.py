@@ -57,7 +57,10 @@ def search(input: Union[str, os.PathLike], budget: Optional[float] = None, *, ob
 def _rows(function, name, input, input_options, progress, speeds, asked):
     refuse_unknown(name, input_options, INPUT_OPTIONS)
     told, reporter = Told(), c.Reporter(progress)
-    formats = None if asked["formats"] is None else [c.text(text) for text in asked["formats"]]
+    listed = [asked["formats"]] if isinstance(asked["formats"], str) else asked["formats"]
+    formats = None if listed is None else [c.text(text) for text in listed]
+    if formats == []:
+        raise ValueError(f"{name} has no formats to choose among; None are those that it knows")
     rays = None if asked["rays"] is None else rays_as_given(asked["rays"])
     texts = {key: c.text(asked.pop(key, None)) for key in ("objective", "device", "precision")}
     del asked["formats"], asked["rays"]

@@ -40,11 +40,13 @@ class Editable:
 
     def set_box(self, low: Sequence[int], size: Sequence[int], word: int) -> None:
         """Voxels [low, low + size) become `word`; 0 clears them."""
-        c.check(c.lib.voxc_editable_set_box(self._handle, _ints(low), _ints(size), word))
+        c.check(c.lib.voxc_editable_set_box(self._handle, c.int3(low, "low"), c.int3(size, "size"), arrays.word_of(word)))
 
-    def set_sphere(self, centre: Sequence[int], radius: float, word: int) -> None:
-        """Voxels whose centre is no farther than `radius` voxels from that of the voxel `centre` become `word`."""
-        c.check(c.lib.voxc_editable_set_sphere(self._handle, _ints(centre), radius, word))
+    def set_sphere(self, centre: Sequence[int], radius: int, word: int) -> None:
+        """Voxels whose centre is no farther than `radius` voxels, a whole number, from that of the voxel `centre` become `word`."""
+        if radius != int(radius) or not 0 <= radius < 2**31:
+            raise ValueError(f"the radius of a sphere is a whole number from 0 up, not {radius}")
+        c.check(c.lib.voxc_editable_set_sphere(self._handle, c.int3(centre, "centre"), int(radius), arrays.word_of(word)))
 
     def set_voxels(self, places: Any, words: Any) -> None:
         """Single voxels: places (N, 3) of x, y, z, and N words or colours as `voxc.build` takes them, or one word for all. Of
@@ -58,7 +60,7 @@ class Editable:
 
     def paste(self, volume: Volume, low: Sequence[int] = (0, 0, 0)) -> None:
         """Puts the voxels of another volume from `low` on; where it is empty nothing changes."""
-        c.check(c.lib.voxc_editable_paste(self._handle, volume._handle, _ints(low)))
+        c.check(c.lib.voxc_editable_paste(self._handle, volume._handle, c.int3(low, "low")))
 
     def clear(self, low: Sequence[int], size: Sequence[int]) -> None:
         """Empties the voxels [low, low + size)."""
@@ -70,13 +72,13 @@ class Editable:
 
         def voxel(_: Any, x: int, y: int, z: int, word: int) -> int:
             try:
-                return word if raised else int(function(x, y, z, word))
+                return word if raised else arrays.word_of(function(x, y, z, word))
             except BaseException as error:  # noqa: BLE001 - it goes on behind the library.
                 raised.append(error)
                 return word
 
         before = self.snapshot()
-        c.check(c.lib.voxc_editable_apply(self._handle, _ints(low), _ints(size), c.EDITED_VOXEL(voxel), None))
+        c.check(c.lib.voxc_editable_apply(self._handle, c.int3(low, "low"), c.int3(size, "size"), c.EDITED_VOXEL(voxel), None))
         if raised:
             self.restore(before)
             raise raised[0]
@@ -134,7 +136,3 @@ class Editable:
 
     def __repr__(self) -> str:
         return f"<voxc.Editable of {self.voxels} voxels, {4 * self.words} bytes>"
-
-
-def _ints(values: Sequence[int]) -> Any:
-    return (ctypes.c_int32 * 3)(*values)

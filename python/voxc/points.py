@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import ctypes
 import os
+import warnings
 from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
 
 import numpy as np
@@ -39,13 +40,18 @@ def save_npz(volume: Volume, path: Union[str, os.PathLike]) -> None:
 
 
 def load_npz(path: Union[str, os.PathLike], format: Optional[str] = None, **options: Any) -> Volume:
-    """The volume that `Volume.save_npz` wrote, in its own format or in another; options are those of `voxc.build`."""
+    """The volume that `Volume.save_npz` wrote, in its own format or in another; options are those of `voxc.build`. Its voxels are whole numbers
+    of the model: where the file says otherwise, that is an InputWarning. Attributes are in no such file."""
     from .building import build
+    from .told import InputWarning
 
     with np.load(path, allow_pickle=False) as file:
         missing = {"places", "words", "extent", "format"} - set(file.files)
         if missing:
             raise InputError(f"'{os.fspath(path)}' was not written by save_npz, for it has no {' and no '.join(sorted(missing))}; "
                              "voxc.build takes arrays of other files, with grid= to choose one")
+        if "to_model" in file.files and not np.array_equal(file["to_model"], np.eye(3, 4)):
+            warnings.warn(f"'{os.fspath(path)}' has the place of its voxels in a model, to_model, which a volume of a list has not", InputWarning,
+                          stacklevel=2)
         words = str(file["format"]) if format is None else format
         return build(words, places=file["places"], colours=file["words"], extent=file["extent"].tolist(), **options)

@@ -138,12 +138,12 @@ class Volume:
     def read(self, low: Sequence[int] = (0, 0, 0), size: Optional[Sequence[int]] = None) -> np.ndarray:
         """The words of a box of voxels as an array [z, y, x]; `low` and `size` are of x, y and z. Without `size`: all that
         is behind `low`."""
-        size = size if size is not None else [end - begin for begin, end in zip(low, self.extent)]
+        low = c.int3(low, "low")
+        size = c.int3(size if size is not None else [end - begin for begin, end in zip(low, self.extent)], "size")
         if min(size) < 0:
             raise ValueError(f"a box has sizes from 0 up, not {tuple(size)}")
         words = np.empty(tuple(size)[::-1], np.uint32)
-        ints = ctypes.c_int32 * 3
-        c.check(c.lib.voxc_volume_read(self._handle, ints(*low), ints(*size), words.ctypes.data))
+        c.check(c.lib.voxc_volume_read(self._handle, low, size, words.ctypes.data))
         return words
 
     def points(self, words: bool = False) -> Points:
@@ -155,6 +155,8 @@ class Volume:
         """Its boxes of `side` voxels an axis that are not empty, as (low, words): the place of the first voxel, (x, y, z), and what
         `read` gives of the box, cut at the end of the volume. One is in memory at a time."""
         ends = self.extent
+        if side < 1:
+            raise ValueError(f"chunks have 1 voxel an axis or more, not {side}")
         for z, y, x in np.ndindex(*(-(-end // side) for end in reversed(ends))):
             low = (x * side, y * side, z * side)
             words = self.read(low, [min(side, end - begin) for begin, end in zip(low, ends)])
@@ -176,7 +178,7 @@ class Volume:
         refuse_unknown("tracer", options, TRACER_OPTIONS)
         return Tracer(self, device, **options)
 
-    def trace(self, origins: Any, directions: Any, device: Optional[str] = None, *, tmin: Any = None, tmax: Any = None,
+    def trace(self, origins: Any, directions: Any = None, device: Optional[str] = None, *, tmin: Any = None, tmax: Any = None,
               **options: Any) -> np.ndarray:
         """The hits of rays, once: `Tracer.trace` of a new tracer, for those who trace no more than this."""
         refuse_unknown("trace", options, TRACER_OPTIONS)

@@ -85,6 +85,12 @@ Option Option::notNegative() const {
   return *this;
 }
 
+Option Option::notEmpty() const {
+  return check([](const std::string &value) -> std::string {
+    return value.empty() ? "the name of the output is empty; name a file" : "";
+  });
+}
+
 Option Option::check(std::string (*problemOf)(const std::string &value)) const {
   option_->check(CLI::Validator(problemOf, "", ""));
   return *this;

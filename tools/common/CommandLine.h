@@ -45,6 +45,8 @@ public:
   template <typename Number> Option between(Number least, Number most) const;
   Option positive() const;
   Option notNegative() const;
+  /// Refuses "", as a shell writes a variable that was never set: of a name that need not be given.
+  Option notEmpty() const;
   /// Refuses values of which `problemOf` says more than "": what is wrong, and what would be right.
   Option check(std::string (*problemOf)(const std::string &value)) const;
 

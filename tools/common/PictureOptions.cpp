@@ -179,10 +179,10 @@ std::optional<std::string> cameraWarning(const TakenPicture &taken, const Volume
   if (!isClipped && isWithin && volume.lookup({int(eye.x), int(eye.y), int(eye.z)}).value != 0)
     return "the camera stands in a voxel that is not empty, and sees nothing but that";
   const Rendering &rendering = taken.rendering;
-  if (rendering.middle == 0)
+  if (rendering.hits == 0)
     return "the camera sees no voxel";
   constexpr double kNear = 3;
-  if (rendering.middle < kNear) {
+  if (rendering.middle > 0 && rendering.middle < kNear) {
     char text[160];
     std::snprintf(
         text, sizeof text,

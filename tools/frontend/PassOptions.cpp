@@ -4,6 +4,7 @@
 #include "common/Command.h"
 
 #include <algorithm>
+#include <map>
 #include <string_view>
 
 namespace voxc::tool {
@@ -35,13 +36,13 @@ std::string helpOf(const Pass &pass, PassChoice choice) {
                                                            : "");
 }
 
-/// A flag as written: one that was given a number, or several, has the last.
-std::string writtenName(const Option &flag) {
+/// A flag as written for the time `count`, from 0 on. What was given to it stays, also where it means
+/// nothing: `runPasses` refuses it.
+std::string writtenName(const Option &flag, std::size_t count) {
   const std::string name = flag.name().substr(2);
-  const Pass *const pass = findPass(name);
   const std::vector<std::string> written = flag.written();
-  const std::string value = written.empty() ? "" : written.back();
-  return pass && pass->number && value != "true" ? name + "=" + value : name;
+  const std::string value = count < written.size() ? written[count] : "true";
+  return value == "true" ? name : name + "=" + value;
 }
 
 /// The flag of a pass; one that had another name says so.
@@ -72,12 +73,13 @@ void PassOptions::declare(const CommandLine &command, PassChoice choice) {
 
 std::vector<std::string> PassOptions::names() const {
   std::vector<std::string> names;
+  std::map<std::string, std::size_t> counts;
   for (const Option &option : command_->given()) {
     const std::vector<std::string> written = option.written();
     if (option.name() == kPipelineOption)
       names.insert(names.end(), written.begin(), written.end());
     else if (option.group() == groupOf(choice_))
-      names.push_back(writtenName(option));
+      names.push_back(writtenName(option, counts[option.name()]++));
   }
   return names;
 }

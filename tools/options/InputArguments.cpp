@@ -104,7 +104,8 @@ Option addVolumePath(const CommandLine &command, std::string &path, InputArgumen
     const bool isNumber = failure == std::errc() && end == value.data() + value.size() && number > 0;
     isNumber ? void(arguments.volume = number) : void(path = value);
   };
-  return command.addTaken("--volume", take, std::string(text) + "; a number: which volume of the input");
+  return command.addTaken("--volume", take, std::string(text) + "; a number: which volume of the input")
+      .notEmpty();
 }
 
 namespace {

@@ -11,6 +11,8 @@ namespace voxc::tool {
 namespace fs = std::filesystem;
 
 Expected<void> checkOutputFile(const std::string &path) {
+  if (path.empty())
+    return Error::usage("the name of the output is empty; name a file");
   if (path == "-")
     return Error::usage("a volume cannot go to standard output; name a file");
   std::error_code ignored;

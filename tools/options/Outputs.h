@@ -9,7 +9,7 @@
 namespace voxc::tool {
 
 /// Whether `path` can become a file: not a directory, its folder exists, and no edits of what is there wait
-/// in a journal. Errors: `Input`; `Usage` for "-".
+/// in a journal. Errors: `Input`; `Usage` for "-" and "".
 Expected<void> checkOutputFile(const std::string &path);
 
 /// The same, but "-" is standard output, unless the figures go there.

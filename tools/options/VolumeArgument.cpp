@@ -5,7 +5,9 @@
 #include "voxc/Construct/EditJournal.h"
 #include "voxc/Input/NumberedPaths.h"
 #include "voxc/Support/UserCache.h"
+#include "voxc/Volume/VolumeSummary.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 
@@ -45,10 +47,34 @@ Expected<int> VolumeArgument::frame() const {
   return named.frame > 0 ? named.frame : frame_;
 }
 
-template <typename Load> Expected<Volume> VolumeArgument::loadBy(const Load &load) const {
+Expected<LoadOptions> VolumeArgument::loadOptions() const {
   const auto frame = VOXC_TRY(this->frame());
   LoadOptions options{.trusted = trusted_, .frame = frame, .mostCubes = mostCubes_};
   options.progress.stop = &catchInterrupts();
+  return options;
+}
+
+Expected<void> VolumeArgument::leaveOtherFrames(const std::string &output,
+                                                const CommonOptions &common) const {
+  const auto frame = VOXC_TRY(this->frame());
+  if (frame == 0)
+    return {};
+  const auto summary = VOXC_TRY(summarizeVolume(path()));
+  const auto stream = std::ranges::find(summary.streams, kFrameStream, &StreamSummary::name);
+  if (stream == summary.streams.end() || stream->elements() < 2)
+    return {};
+  const std::string frames = std::to_string(stream->elements());
+  std::error_code ignored;
+  if (std::filesystem::equivalent(path(), output, ignored))
+    return Error::usage("'" + path() + "' has " + frames + " frames, and would keep frame " +
+                        std::to_string(frame) + " alone; give -o another file");
+  if (!common.quiet)
+    printNote("warning: only frame " + std::to_string(frame) + " of " + frames + " is written");
+  return {};
+}
+
+template <typename Load> Expected<Volume> VolumeArgument::loadBy(const Load &load) const {
+  const auto options = VOXC_TRY(loadOptions());
   std::error_code ignored;
   if (!std::filesystem::exists(path(), ignored) && namesFiles(path()))
     return volumeFailure(Error::input("'" + path() + "' is not a .hvx volume"));

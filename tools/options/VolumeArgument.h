@@ -1,6 +1,7 @@
 // The V.hvx argument of the commands that take a finished volume.
 #pragma once
 
+#include "common/Command.h"
 #include "common/CommandLine.h"
 #include "frontend/AttributeOptions.h"
 #include "frontend/PassOptions.h"
@@ -29,6 +30,11 @@ public:
   std::string path() const { return withoutFrame(path_); }
   /// Which frame was asked for, from 1 on, by --frame or behind the path; 0: none.
   Expected<int> frame() const;
+  /// How the volume is loaded. Error: as of `frame`.
+  Expected<LoadOptions> loadOptions() const;
+  /// Before the frame that was asked for is written to a file: says which part of the volume that is, if it
+  /// has others. Error (`Usage`): the file is the one that is read, and would lose them.
+  Expected<void> leaveOtherFrames(const std::string &output, const CommonOptions &common) const;
   /// Whether offsets were left unproven.
   bool trusted() const { return trusted_; }
   /// The format that a kernel of `volume` shall traverse. Error: options that do not go together.

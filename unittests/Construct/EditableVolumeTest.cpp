@@ -243,6 +243,33 @@ TEST(EditableVolume, AWordThatTheFormatCannotKeepLeavesAllAsItWas) {
   EXPECT_EQ(edited->volume()->lookup({1, 2, 0}).value, 0xff00ff00);
 }
 
+TEST(EditableVolume, AColourIsNoLabel) {
+  const auto source = makeFunctionSource({32, 32, 32}, [](Int3 at) { return at.x == at.y ? 3u : 0u; });
+  const auto volume = test::buildVolume(formatWith("G(5)", {"material=3"}), *source);
+  ASSERT_TRUE(volume);
+  auto edited = EditableVolume::create(*volume);
+  ASSERT_TRUE(edited) << edited.error().message;
+  const auto failed = edited->apply(*makeBoxChange({1, 2, 3}, {1, 1, 1}, 0xff0000ff));
+  ASSERT_FALSE(failed);
+  EXPECT_EQ(
+      failed.error().message,
+      "voxel (1, 2, 3) would be of a colour, but the format states payload=material(3), labels from 1 to "
+      "7; the word of a label is its number, as label 5 is written 05000000 in digits rrggbbaa");
+  ASSERT_TRUE(edited->apply(*makeBoxChange({1, 2, 3}, {1, 1, 1}, 5)));
+  EXPECT_EQ(edited->volume()->lookup({1, 2, 3}).value, 5u);
+}
+
+TEST(EditableVolume, ASphereOfANegativeRadiusIsNone) {
+  const auto source = makeBuiltinSource("full", 16);
+  const auto volume = test::buildVolume(*parseFormat("G(4)"), **source);
+  auto edited = EditableVolume::create(*volume);
+  ASSERT_TRUE(edited) << edited.error().message;
+  ASSERT_TRUE(edited->apply(*makeSphereChange({8, 8, 8}, -3, 0)));
+  EXPECT_EQ(edited->voxels(), 4096u);
+  ASSERT_TRUE(edited->apply(*makeSphereChange({8, 8, 8}, 0, 0)));
+  EXPECT_EQ(edited->voxels(), 4095u);
+}
+
 TEST(EditableVolume, SaysWhichFormatsCannotBeEdited) {
   const auto source = makeBuiltinSource("terrain", 16);
   const auto volume = test::buildVolume(formatWith("M(2^3) M(2^3)", {"values-apart"}), **source);

@@ -97,6 +97,23 @@ TEST_F(ChangesTest, TheInsideIsToldInTheProvenance) {
   EXPECT_EQ(filled.provenance, "coverage=models interior=fill fill-colour=11223380 crop=0,0,4");
 }
 
+TEST_F(ChangesTest, TheInsideOfLabelsIsALabel) {
+  std::string cells(216, '\0');
+  for (int z = 1; z < 5; ++z)
+    for (int y = 1; y < 5; ++y)
+      for (int x = 1; x < 5; ++x)
+        cells[static_cast<std::size_t>((z * 6 + y) * 6 + x)] = 3;
+  cells[static_cast<std::size_t>((2 * 6 + 2) * 6 + 2)] = 0;
+  const std::string input = "raw:6x6x6:uint8:" + folder_.file("labels.raw", cells);
+  options_.colourMap = "labels";
+  options_.interior = Interior::Fill;
+  const auto white = openInput(input, options_);
+  ASSERT_FALSE(white);
+  EXPECT_NE(white.error().message.find("--fill-colour 05000000 is label 5"), std::string::npos);
+  options_.fillWord = 5;
+  EXPECT_EQ(voxelsOf(*open(input).source).at(mortonCode({2, 2, 2})), 5u);
+}
+
 /// What a volume says was done is not done again; other things are.
 TEST_F(ChangesTest, VolumesRememberWhatWasDone) {
   const auto save = [&](const std::string &provenance) {

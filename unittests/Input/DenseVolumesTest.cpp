@@ -8,10 +8,12 @@
 
 #include <bit>
 #include <limits>
+#include <map>
 
 namespace voxc {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -110,6 +112,50 @@ TEST_F(DenseVolumes, AxesAreAsTheyLieUnlessUpIsZ) {
 
 std::string nrrdOfBytes(const std::string &fields, const std::string &data = "\1\2\3\4\5\6") {
   return "NRRD0004\n# a comment\ntype: uint8\ndimension: 3\nsizes: 3 2 1\n" + fields + "\n" + data;
+}
+
+TEST_F(DenseVolumes, WhatIsNoNumberIsBackground) {
+  std::vector<float> samples(1000, std::nanf(""));
+  for (std::size_t i = 0; i < 400; ++i)
+    samples[i] = 100 + static_cast<float>(i) / 40;
+  std::string bytes(samples.size() * sizeof(float), '\0');
+  std::memcpy(bytes.data(), samples.data(), bytes.size());
+  options_.isAutomatic = true;
+  EXPECT_EQ(raw("10x10x10:float32le", bytes).size(), 400u);
+  EXPECT_TRUE(notes_.empty());
+  options_.describe = true;
+  const auto input = openInput("raw:10x10x10:float32le:" + folder_.path("samples.bin"), options_);
+  ASSERT_TRUE(input) << input.error().message;
+  std::map<std::string, std::string> facts;
+  for (const InputFact &fact : input->facts)
+    facts[fact.name] = fact.text;
+  EXPECT_EQ(facts["zeros"], "0, 0.0 %");
+  EXPECT_EQ(facts["no numbers"], "600, 60.0 %");
+}
+
+TEST_F(DenseVolumes, RangesBeyondAllNumbersHaveAThreshold) {
+  options_.isAutomatic = true;
+  EXPECT_EQ(raw("3x1x1:float64le", bytesOf<double>({-1e308, 1e308, 5})).size(), 2u);
+}
+
+TEST_F(DenseVolumes, ColoursThatAreBytesOfAWiderType) {
+  const std::string head = "NRRD0004\ndimension: 4\nsizes: 3 2 1 1\nencoding: raw\nendian: little\n"
+                           "kinds: RGB-color domain domain domain\n";
+  const std::string shorts = bytesOf<std::uint16_t>({1, 2, 3, 100, 200, 249});
+  const Voxels bytes{{0, rgba(1, 2, 3)}, {1, rgba(100, 200, 249)}};
+  EXPECT_EQ(voxels("a.nrrd", head + "type: ushort\n\n" + shorts), bytes);
+  EXPECT_THAT(warnings_, Contains("its colours go up to 249, and are taken as bytes, though the type is "
+                                  "uint16, little-endian"));
+  const std::string floats = bytesOf<float>({1, 2, 3, 100, 200, 249});
+  EXPECT_EQ(voxels("a.nrrd", head + "type: float\n\n" + floats), bytes);
+  EXPECT_THAT(warnings_, Contains(HasSubstr("taken as bytes")));
+  const std::string bright = bytesOf<float>({0, 0.2f, 1, 1.5f, 1, 0});
+  EXPECT_EQ(voxels("a.nrrd", head + "type: float\n\n" + bright),
+            (Voxels{{0, rgba(0, 51, 255)}, {1, rgba(255, 255, 0)}}));
+  EXPECT_THAT(warnings_, Contains("its colours go up to 1.5, and those above 1 are taken as 1"));
+  const std::string wide = bytesOf<std::uint16_t>({0, 0, 65535, 257, 514, 0});
+  EXPECT_EQ(voxels("a.nrrd", head + "type: ushort\n\n" + wide),
+            (Voxels{{0, rgba(0, 0, 255)}, {1, rgba(1, 2, 0)}}));
 }
 
 TEST_F(DenseVolumes, NrrdAttachedAndDetachedRawAndCompressed) {

@@ -193,30 +193,6 @@ TEST_F(MagicaVoxel, AFrameIsTakenByItsNumber) {
   EXPECT_EQ(voxelsOf(*openInput(other, options_)->source), (Voxels{{0, kPaleYellow}}));
 }
 
-TEST_F(MagicaVoxel, KeysOfASceneGraphHoldUntilTheNext) {
-  // The node moves at the times 0, 2 and 5; its shape becomes another model at 3.
-  const std::string frames =
-      wordBytes({0, 0, 1, 0xffffffff, 0xffffffff, 3}) + dictionaryBytes({{"_f", "5"}, {"_t", "50 0 0"}}) +
-      dictionaryBytes({{"_f", "0"}, {"_t", "0 0 0"}}) + dictionaryBytes({{"_f", "2"}, {"_t", "20 0 0"}});
-  const std::string shape = wordBytes({1, 0, 2, 0}) + dictionaryBytes({{"_f", "0"}}) + wordBytes({1}) +
-                            dictionaryBytes({{"_f", "3"}});
-  const std::string path = folder_.file(
-      "graph.vox", voxBytes(modelChunks(1, 1, 1, {{0, 0, 0, 1}}) + modelChunks(1, 1, 1, {{0, 0, 0, 2}}) +
-                            chunkBytes("nTRN", frames) + chunkBytes("nSHP", shape)));
-  const auto seen = [&](int frame) {
-    const auto input = openInput(path + "#" + std::to_string(frame), options_);
-    EXPECT_TRUE(input) << input.error().message;
-    const double x = input->source->voxelToModel()[3].x;
-    return std::pair(x, voxelsOf(*input->source).begin()->second);
-  };
-  const std::vector<std::pair<double, std::uint32_t>> expected{
-      {0, kWhite}, {0, kWhite}, {20, kWhite}, {20, kPaleYellow}, {20, kPaleYellow}, {50, kPaleYellow}};
-  for (int frame = 1; frame <= 6; ++frame)
-    EXPECT_EQ(seen(frame), expected[static_cast<std::size_t>(frame - 1)]) << frame;
-  EXPECT_THAT(openInput(path + "#7", options_).error().message, HasSubstr("there are 6"));
-  EXPECT_THAT(openInput(path, options_)->warnings, ElementsAre(HasSubstr("moves in 6 frames")));
-}
-
 TEST_F(MagicaVoxel, DroppedMaterialsAreTold) {
   const auto material = [](std::uint32_t number, const char *type) {
     return chunkBytes("MATL", wordBytes({number}) + dictionaryBytes({{"_weight", "1"}, {"_type", type}}));
@@ -292,6 +268,16 @@ TEST_F(MagicaVoxel, WhatIsLeftOutOfASceneIsTold) {
                                      "used: rCAM"));
   voxels(models + graph + transformChunk(4, 5, {}) + shapeChunk(5, 1));
   EXPECT_THAT(warnings_, IsEmpty());
+}
+
+TEST_F(MagicaVoxel, BytesBehindTheVoxelsOfAModelAreTold) {
+  const std::string model = chunkBytes("SIZE", wordBytes({2, 1, 1}));
+  const std::string white("\0\0\0\1", 4), other("\1\0\0\1", 4);
+  const Voxels one{{0, kWhite}};
+  EXPECT_EQ(voxels(model + chunkBytes("XYZI", wordBytes({1}) + white)), one);
+  EXPECT_THAT(warnings_, IsEmpty());
+  EXPECT_EQ(voxels(model + chunkBytes("XYZI", wordBytes({1}) + white + other)), one);
+  EXPECT_THAT(warnings_, ElementsAre("4 bytes are left out, which lie behind the voxels of its models"));
 }
 
 TEST_F(MagicaVoxel, FirstOfOverlappingModelsWins) {

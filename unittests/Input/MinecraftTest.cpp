@@ -198,34 +198,6 @@ TEST_F(Minecraft, SchematicsOfOldHaveNumbers) {
               HasSubstr("its box of 2x2x1 blocks needs as many numbers, but there are 3"));
 }
 
-TEST_F(Minecraft, NamesHaveColours) {
-  EXPECT_EQ(wordOf("minecraft:white_wool"), 0xffecece9u);
-  EXPECT_EQ(wordOf("oak_planks"), wordOf("minecraft:oak_stairs[facing=east]"));
-  EXPECT_EQ(wordOf("stone_bricks"), wordOf("stone_brick_wall"));
-  EXPECT_EQ(wordOf("quartz_block"), wordOf("quartz_slab"));
-  EXPECT_EQ(wordOf("stripped_birch_log"), wordOf("birch_planks"));
-  EXPECT_EQ(wordOf("waxed_cut_copper_stairs"), wordOf("cut_copper"));
-  EXPECT_NE(wordOf("red_concrete"), wordOf("red_terracotta"));
-  EXPECT_NE(wordOf("red_sandstone"), wordOf("red_wool"));
-  for (const char *air : {"air", "minecraft:cave_air", "minecraft:void_air", "structure_void"})
-    EXPECT_EQ(wordOf(air), 0u);
-  for (const char *known :
-       {"deepslate_diamond_ore", "polished_blackstone_brick_stairs", "lime_stained_glass_pane",
-        "potted_dark_oak_sapling", "petrified_oak_slab", "potted_flowering_azalea_bush", "cherry_leaves",
-        "dark_oak_wall_hanging_sign", "mossy_stone_brick_slab", "warped_hyphae",
-        "light_gray_glazed_terracotta", "dead_tube_coral_block", "bamboo_mosaic", "end_stone_brick_wall"})
-    EXPECT_TRUE(blockLook(known).isKnown) << known;
-  EXPECT_FALSE(blockLook("mod:stone").isKnown);
-  EXPECT_FALSE(blockLook("zorkmid").isKnown);
-  EXPECT_EQ(wordOf("zorkmid[a=1]"), wordOf("zorkmid[a=2]"));
-  EXPECT_NE(wordOf("zorkmid"), wordOf("zorkmie"));
-  for (const char *whole : {"stone", "sea_lantern", "powder_snow", "mushroom_stem", "bedrock", "grass_block"})
-    EXPECT_TRUE(blockLook(whole).fillsCell) << whole;
-  for (const char *part :
-       {"oak_stairs", "torch", "wall_torch", "snow", "lantern", "red_bed", "potted_cactus", "chest"})
-    EXPECT_FALSE(blockLook(part).fillsCell) << part;
-}
-
 TEST_F(Minecraft, ASpongeSchematicWithoutAVersionIsOfTheFirst) {
   const std::string file = compound("Schematic", sizeTags(2, 1, 1) + paletteOf({"air", "stone"}) +
                                                      bytesTag("BlockData", std::string("\0\1", 2)));
@@ -268,6 +240,32 @@ TEST_F(Minecraft, WhatIsBrokenIsAnError) {
               HasSubstr("its NBT is damaged"));
   EXPECT_THAT(problem("a.schem", compound("", tag(12, "x", big(0x7fffffff, 4)))),
               HasSubstr("its NBT is damaged"));
+}
+
+TEST_F(Minecraft, ABlockHasOneNameOfThePalette) {
+  const auto file = [](const std::string &palette, const std::string &data) {
+    return compound("Schematic", intTag("Version", 2) + sizeTags(2, 1, 1) + compound("Palette", palette) +
+                                     bytesTag("BlockData", data));
+  };
+  const std::string gap = intTag("stone", 0) + intTag("dirt", 2);
+  EXPECT_EQ(words("a.schem", file(gap, std::string("\0\2", 2))), (Words{wordOf("stone"), wordOf("dirt")}));
+  EXPECT_THAT(problem("a.schem", file(gap, std::string("\0\1", 2))),
+              HasSubstr("a block has the number 1, which its palette gives to no kind"));
+  EXPECT_THAT(problem("a.schem", file(intTag("air", 0) + intTag("dirt", 0), std::string(2, '\0'))),
+              HasSubstr("its palette gives the number 0 to two names; each should have its own"));
+}
+
+TEST_F(Minecraft, SizesOfShortsHaveNoSign) {
+  const auto file = [](const std::string &width) {
+    return compound("Schematic", intTag("Version", 2) + width + shortTag("Height", 1) +
+                                     shortTag("Length", 1) + paletteOf({"stone"}) +
+                                     bytesTag("BlockData", std::string(1, '\0')));
+  };
+  EXPECT_EQ(words("a.schem", file(intTag("Width", 1))), Words{wordOf("stone")});
+  EXPECT_THAT(problem("a.schem", file(intTag("Width", 65537))),
+              HasSubstr("its Width is 65537; there may be 65535 blocks on an axis"));
+  EXPECT_THAT(problem("a.schem", file(intTag("Width", -65535))), HasSubstr("its box of -65535x1x1"));
+  EXPECT_THAT(problem("a.schem", file(shortTag("Width", 65535))), HasSubstr("takes 65535x1x1 voxels"));
 }
 
 TEST_F(Minecraft, OtherFilesOfItAreRefusedWithAdvice) {

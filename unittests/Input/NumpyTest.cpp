@@ -96,7 +96,7 @@ TEST_F(Numpy, ArchivesHaveSeveral) {
                                     isDeflated);
     EXPECT_EQ(words("a.npz", archive), kUpToSix);
     EXPECT_THAT(warnings_,
-                ElementsAre("the array 'first.npy' is taken, and left out are times (1), other (1, 1, 2) "
+                ElementsAre("the array 'first' is taken, and left out are times (1), other (1, 1, 2) "
                             "(--grid NAME takes one of them)"));
     options_.grid = "other";
     EXPECT_EQ(words("a.npz", archive), (Words{7, 8}));

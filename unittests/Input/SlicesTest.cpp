@@ -55,6 +55,38 @@ TEST(Slices, ComeBackWordByWord) {
   EXPECT_EQ(voxelsOf(*input->source), expected);
 }
 
+/// Writes a row of 16 greys of `bits` bits each.
+void writeGreys(const std::string &path, int bits, std::vector<unsigned char> rows) {
+  std::FILE *file = std::fopen(path.c_str(), "wb");
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_infop info = png_create_info_struct(png);
+  png_init_io(png, file);
+  png_set_IHDR(png, info, 16, 1, bits, PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+               PNG_FILTER_TYPE_DEFAULT);
+  png_write_info(png, info);
+  png_write_row(png, rows.data());
+  png_write_end(png, nullptr);
+  png_destroy_write_struct(&png, &info);
+  std::fclose(file);
+}
+
+TEST(Slices, GreysOfFewBitsAreTheirNumbers) {
+  const TemporaryFolder folder;
+  InputOptions options;
+  options.colourMap = "labels";
+  writeGreys(folder.path("four.png"), 4, {0x01, 0x23, 0x45, 0x67, 0x89, 0xab, 0xcd, 0xef});
+  const auto four = openInput(folder.path("four.png"), options);
+  ASSERT_TRUE(four) << four.error().message;
+  Voxels expected;
+  for (int i = 1; i < 16; ++i)
+    expected[mortonCode({i, 0, 0})] = static_cast<std::uint32_t>(i);
+  EXPECT_EQ(voxelsOf(*four->source), expected);
+  writeGreys(folder.path("one.png"), 1, {0x80, 0x01});
+  const auto one = openInput(folder.path("one.png"), options);
+  ASSERT_TRUE(one) << one.error().message;
+  EXPECT_EQ(voxelsOf(*one->source), (Voxels{{0, 1}, {mortonCode({15, 0, 0}), 1}}));
+}
+
 TEST(Slices, GreyOnesAreSamples) {
   const TemporaryFolder folder;
   const std::array<unsigned char, 4> low{0, 10, 20, 30};

@@ -44,6 +44,17 @@ TEST_F(VoxelSizes, OfMeshesIsExact) {
     EXPECT_NEAR(low[axis], std::round(low[axis]), 1e-9);
 }
 
+TEST_F(VoxelSizes, MeansOfSamplesThatReachTheThresholdReachIt) {
+  for (const int value : {255, 7, 3}) {
+    options_.threshold = value;
+    options_.voxelSize = {0.7, 0};
+    const std::string path = folder_.file("full.raw", std::string(512, static_cast<char>(value)));
+    EXPECT_EQ(take(openInput("raw:8x8x8:uint8:" + path, options_)).size(), 11u * 11 * 11) << value;
+    options_.voxelSize = {2.3, 0};
+    EXPECT_EQ(take(openInput("raw:8x8x8:uint8:" + path, options_)).size(), 4u * 4 * 4) << value;
+  }
+}
+
 TEST_F(VoxelSizes, HaveUnits) {
   options_.voxelSize = *parseLength("25 cm");
   EXPECT_THAT(problem("a.obj", kSquare), HasSubstr("does not say how long its unit is"));

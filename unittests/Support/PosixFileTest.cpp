@@ -1,8 +1,10 @@
-// Pipes and devices, which POSIX has at paths.
+// Pipes, devices, links and permissions, which POSIX has at paths.
+#include "NewFolder.h"
 #include "voxc/Support/File.h"
 
 #include <gtest/gtest.h>
 
+#include <fcntl.h>
 #include <filesystem>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -29,6 +31,92 @@ TEST(OutputFile, WritesToDevicesWithoutReplacingThem) {
   ASSERT_FALSE(full);
   EXPECT_EQ(full.error().kind, ErrorKind::Environment);
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+}
+
+class LinkedFile : public ::testing::Test {
+protected:
+  void SetUp() override { folder_ = test::newFolder("voxc-linked-file"); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string pathOf(const char *name) const { return (folder_ / name).string(); }
+  /// Made of a text in the folder.
+  std::string link(const char *name, const std::string &text) const {
+    std::filesystem::create_symlink(text, folder_ / name);
+    return pathOf(name);
+  }
+  std::ptrdiff_t files() const { return std::distance(std::filesystem::directory_iterator(folder_), {}); }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(LinkedFile, IsMadeWhereTheLinksLead) {
+  std::filesystem::create_directory(folder_ / "disk");
+  ASSERT_TRUE(writeFile(pathOf("disk/file"), "old"));
+  const std::string near = link("near", "disk/file"), far = link("far", pathOf("near"));
+  {
+    auto output = OutputFile::create(far);
+    ASSERT_TRUE(output);
+    ASSERT_TRUE(output->isRegular());
+    ASSERT_TRUE(output->write("half", 4));
+  }
+  EXPECT_EQ(*readTextFile(pathOf("disk/file")), "old");
+  ASSERT_TRUE(writeFile(far, "new"));
+  EXPECT_EQ(*readTextFile(pathOf("disk/file")), "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(near) && std::filesystem::is_symlink(far));
+  EXPECT_EQ(files(), 3) << "nothing else beside the links";
+}
+
+TEST_F(LinkedFile, IsMadeWhereNothingIsYet) {
+  const std::string path = link("link", "file");
+  ASSERT_TRUE(writeFile(path, "text"));
+  EXPECT_TRUE(std::filesystem::is_symlink(path));
+  EXPECT_FALSE(std::filesystem::is_symlink(pathOf("file")));
+  EXPECT_EQ(*readTextFile(pathOf("file")), "text");
+}
+
+TEST_F(LinkedFile, LinksInACircleAreAnError) {
+  const std::string path = link("one", "other");
+  link("other", "one");
+  const auto written = writeFile(path, "text");
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().kind, ErrorKind::Environment);
+  EXPECT_TRUE(std::filesystem::is_symlink(path));
+}
+
+/// As a shell that sends output to a file has it: /dev/stdout is such a link.
+TEST_F(LinkedFile, WhatIsOpenIsWrittenTo) {
+  const int file = ::open(pathOf("file").c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  ASSERT_GE(file, 0);
+  ASSERT_EQ(::write(file, "before, ", 8), 8);
+  const std::string own = "/proc/self/fd/" + std::to_string(file), path = link("link", own);
+  EXPECT_FALSE(OutputFile::isRegularAt(own));
+  EXPECT_FALSE(OutputFile::isRegularAt(path));
+  EXPECT_TRUE(writeFile(own, "text"));
+  EXPECT_TRUE(writeFile(path, " and more"));
+  ::close(file);
+  EXPECT_TRUE(std::filesystem::is_symlink(path));
+  EXPECT_EQ(*readTextFile(pathOf("file")), "before, text and more");
+  EXPECT_EQ(files(), 2);
+}
+
+TEST_F(LinkedFile, KeepsPermissions) {
+  const std::string path = pathOf("file");
+  ASSERT_TRUE(writeFile(path, "old"));
+  ASSERT_EQ(::chmod(path.c_str(), 0600), 0);
+  ASSERT_TRUE(writeFile(path, "new"));
+  struct stat status{};
+  ASSERT_EQ(::stat(path.c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777U, 0600U);
+}
+
+TEST_F(LinkedFile, PipesAreNoneAndAskedForUnopened) {
+  const std::string path = pathOf("pipe");
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  ::alarm(60); // Ends the test if it is opened, and waits for a reader.
+  EXPECT_FALSE(OutputFile::isRegularAt(path));
+  EXPECT_FALSE(OutputFile::isRegularAt(link("link", "pipe")));
+  ::alarm(0);
+  EXPECT_TRUE(OutputFile::isRegularAt(pathOf("none")));
 }
 
 } // namespace

@@ -41,6 +41,16 @@ TEST(CommandLine, GivesValuesToTheirVariables) {
   EXPECT_TRUE(isQuick);
 }
 
+TEST(CommandLine, RefusesEmptyNames) {
+  const CommandLine command;
+  std::string stats, volume;
+  command.add("--stats", stats, "").notEmpty();
+  command.addTaken("--volume", [&](const std::string &value) { volume = value; }, "").notEmpty();
+  EXPECT_EQ(problemOf(command, {"--stats", "a", "--volume", "b"}), "");
+  EXPECT_EQ(problemOf(command, {"--stats", ""}), "--stats: the name of the output is empty; name a file");
+  EXPECT_EQ(problemOf(command, {"--volume", ""}), "--volume: the name of the output is empty; name a file");
+}
+
 TEST(CommandLine, TellsTheWordsThatGiveTheSame) {
   const CommandLine command;
   std::vector<double> bounds;

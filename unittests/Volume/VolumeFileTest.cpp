@@ -30,6 +30,18 @@ TEST_F(VolumeFile, RoundTrips) {
   EXPECT_EQ(loaded->lookup({2, 0, 0}).value, 0u);
 }
 
+TEST_F(VolumeFile, HasOneJournalBehindAllLinks) {
+  EXPECT_EQ(journalPathOf(path_), path_ + ".journal");
+  EXPECT_EQ(journalPathOf("v.hvx"), "v.hvx.journal");
+  ASSERT_TRUE(small().save(path_));
+  std::error_code failure;
+  std::filesystem::create_symlink("volume.hvx", folder_ / "link.hvx", failure);
+  if (failure)
+    GTEST_SKIP() << "no links can be made here";
+  EXPECT_EQ(journalPathOf((folder_ / "link.hvx").string()),
+            std::filesystem::canonical(path_).string() + ".journal");
+}
+
 /// A file of version 2 stays what it is, byte for byte.
 TEST_F(VolumeFile, IsWrittenAsEver) {
   const auto golden = readTextFile(VOXC_UNITTESTS_DIR "/Volume/Golden/v2/small.hvx");

@@ -78,6 +78,8 @@ TEST_F(VolumeFile, HasNoSummaryWhereItIsNone) {
   EXPECT_THAT(summarizeVolume(path_).error().message, HasSubstr("is truncated"));
   std::ofstream(path_, std::ios::binary) << "no volume at all";
   EXPECT_THAT(summarizeVolume(path_).error().message, HasSubstr("is not a .hvx volume"));
+  std::ofstream(path_, std::ios::binary) << "\x89HVF\r\n\x1a\n";
+  EXPECT_THAT(summarizeVolume(path_).error().message, HasSubstr("is a fragment of a volume; 'voxc merge'"));
 }
 
 } // namespace

@@ -32,18 +32,24 @@ public:
   std::uint64_t transactions() const { return transactions_; }
 
   /// Adds edits as one transaction; it is on the disk on return. Volumes that they paste are kept in the
-  /// journal. Errors: an edit that reaches out of the extent, naming its place among them (`Input`);
-  /// `Environment`.
-  Expected<void> append(const std::vector<VoxelEdit> &edits);
+  /// journal. Where the format states something of all voxels, the volume is loaded, and makes the edits
+  /// first. Errors, after which nothing was added: an edit that reaches out of the extent, naming its place
+  /// among them, or a word that the format cannot keep (`Input`); those of `loadEdited`; `Environment`.
+  Expected<void> append(const std::vector<VoxelEdit> &edits, const LoadOptions &options = {},
+                        const CompileCache *cache = nullptr);
 
   /// Says that a file of this identity, which is about to take the name of the volume, has all edits: where
   /// the journal is then found beside it, it counts for nothing.
   Expected<void> close(const std::string &compacted);
 
 private:
-  EditJournal(std::string path, int file) : path_(std::move(path)), file_(file) {}
+  EditJournal(std::string volumePath, std::string path, int file)
+      : volumePath_(std::move(volumePath)), path_(std::move(path)), file_(file) {}
+  Expected<void> prove(const std::vector<VoxelEdit> &edits, const LoadOptions &options,
+                       const CompileCache *cache) const;
   Expected<void> write(const std::string &record);
 
+  std::string volumePath_;
   std::string path_;
   int file_ = -1;
   VolumeInfo info_;

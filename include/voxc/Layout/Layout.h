@@ -39,6 +39,8 @@ struct PayloadKind {
   std::string_view hit; ///< The file of shaders-runtime/payload that makes a hit's colour of a voxel's value,
   std::string_view
       blocks; ///< and that of shaders-runtime/values that decodes values apart; "": they never are.
+
+  bool isShapeAlone() const { return !varies && !oneColour; }
 };
 
 const PayloadKind &kindOf(Payload payload);

@@ -11,6 +11,7 @@
 #include "voxc/Trace/Tracer.h"
 #include "voxc/Volume/Volume.h"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -52,7 +53,8 @@ struct Rendering {
   std::vector<float> light;
   float exposure = 1; ///< That made the picture of the light.
   double nearest = 0; ///< From the eye to the nearest hit, in voxels; 0 if nothing was hit.
-  double middle = 0;  ///< Half of the hits are nearer than this.
+  double middle = 0;  ///< Half of the hits are nearer than this, of one ray a pixel; 0 if none of these hit.
+  std::uint64_t hits = 0; ///< Of all rays of the eye.
 };
 
 /// Takes a picture. It depends on nothing but the arguments (drafts on the normals that are known), and not

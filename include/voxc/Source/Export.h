@@ -50,10 +50,12 @@ struct ExportOptions {
 
 /// What an export made.
 struct Exported {
-  std::uint64_t files = 1;           ///< That were written; several of a pattern.
-  std::uint64_t rectangles = 0;      ///< Of a surface: what its faces were merged to.
-  std::optional<ColourError> loss;   ///< Set if `lossy` changed colours: by how much.
-  std::vector<std::string> warnings; ///< What of the attributes the file does not hold; one sentence each.
+  std::uint64_t files = 1;         ///< That were written; several of a pattern.
+  std::uint64_t rectangles = 0;    ///< Of a surface: what its faces were merged to.
+  std::optional<ColourError> loss; ///< Set if `lossy` changed colours: by how much.
+  /// What of the attributes the file does not hold, and what lies behind a set of files from before; one
+  /// sentence each.
+  std::vector<std::string> warnings;
 };
 
 /// A kind of file that volumes are exported to.

@@ -37,7 +37,7 @@ public:
 std::unique_ptr<VoxelChange> makeBoxChange(Int3 low, Int3 size, std::uint32_t word);
 
 /// Voxels whose centre is no farther than `radius` from that of `centre` become `word`. `radius` is 0 to
-/// 2^20.
+/// 2^20; below 0 none is.
 std::unique_ptr<VoxelChange> makeSphereChange(Int3 centre, int radius, std::uint32_t word);
 
 /// A voxel and what it becomes.

@@ -38,11 +38,15 @@ Expected<void> writeOver(std::span<const std::byte> at, std::span<const std::byt
 
 /// A file without a name, which takes that of `path` on `commit` and else disappears, however the process
 /// ends. Where a file system has no such files, it has a temporary name beside `path`, which a process that
-/// is killed leaves behind.
+/// is killed leaves behind. A symbolic link stays, and the file is made where it leads; one that replaces
+/// another has its permissions.
 class OutputFile {
 public:
   /// Errors: `Environment` if nothing can be written there; `Input` if `path` is a directory.
   static Expected<OutputFile> create(const std::string &path);
+  /// Whether a file that is created for `path` would be regular. Asks without opening what is there, as
+  /// readers of a pipe take it for ended once a writer has closed it.
+  static bool isRegularAt(const std::string &path);
   ~OutputFile();
   OutputFile(OutputFile &&) noexcept;
   OutputFile &operator=(OutputFile &&) = delete;
@@ -53,7 +57,7 @@ public:
   Expected<void> rewrite(std::uint64_t offset, const void *data, std::size_t size);
   /// The file itself, for anyone who writes in any order; `write` is not to be mixed with that.
   int descriptor() const;
-  /// True if there is a file of its own, not a pipe or a device.
+  /// True if there is a file of its own, not a pipe, a device, or a file that is open as /dev/stdout is.
   bool isRegular() const { return replaces_; }
   /// Sees all of it onto the disk, then gives it the final name: whatever happens, `path` is what it was or
   /// is whole.
@@ -64,7 +68,8 @@ private:
   bool open();
   Error cannotWrite() const;
 
-  std::string path_;
+  std::string path_;      ///< As it was given, for messages.
+  std::string target_;    ///< Where links of it lead.
   std::string temporary_; ///< "" while the file has no name.
   bool replaces_ = false; ///< What stands at the path, rather than to write into it.
   std::FILE *file_ = nullptr;

@@ -124,7 +124,7 @@ private:
   std::unique_ptr<State> state_;
 };
 
-/// Where edits of a volume file wait that are not in it yet.
+/// Where edits of a volume file wait that are not in it yet: beside the file itself, of whatever link to it.
 std::string journalPathOf(const std::string &volumePath);
 
 /// Error (`Input`) if there is a journal beside a volume file, naming what puts its edits into the file.

@@ -19,7 +19,7 @@ EditHost &hostOf(void *self) { return *static_cast<EditHost *>(self); }
 
 EditHost::EditHost(EditStore &store, const Layout &layout, Int3 extent)
     : BuildHost(store.nodes()), words_(store), old_(layout), tally_(old_), extent_(extent),
-      proof_(layout.voxelFacts()) {
+      proof_(layout.voxelFacts(), true) {
   if (layout.hasOneColour() && store.words()[1] != 0)
     proof_.prove({}, store.words()[1]); // All others have this one.
   fillTable();
@@ -56,7 +56,7 @@ std::uint32_t EditHost::voxel(Int3 at, std::uint32_t old) {
 std::uint32_t EditHost::checked(Int3 at, std::uint32_t word) {
   const bool isOld = word == kOccupied && !proof_.keepsWords(); // A voxel that stays as it is.
   if (word != 0 && !isOld && proof_.isNeeded())
-    if (auto problem = proof_.prove(at, word, true))
+    if (auto problem = proof_.prove(at, word))
       store().fail(std::move(*problem));
   return proof_.kept(word);
 }

@@ -3,6 +3,7 @@
 
 #include "JournalFormat.h"
 
+#include "Construct/Host/VoxelProof.h"
 #include "Support/Platform/Path.h"
 #include "voxc/Construct/EditableVolume.h"
 #include "voxc/Layout/Edits.h"
@@ -76,6 +77,40 @@ void syncFolderOf(const std::string &path) {
   ::close(folder);
 }
 
+/// Edits in place, where the format allows it; else a build of what they make of the volume.
+Expected<Volume> edited(Volume volume, const std::vector<VoxelEdit> &edits, const LoadOptions &options,
+                        const CompileCache *cache) {
+  if (!whyNoEdits(volume.layout()).empty()) {
+    auto constructor = VOXC_TRY(Constructor::compile(volume.format(), cache));
+    BuildOptions building;
+    building.memory = options.memory;
+    building.progress = options.progress;
+    building.provenance = volume.info().provenance;
+    auto built = constructor.edit(std::make_shared<const Volume>(std::move(volume)), edits, building);
+    return built ? Expected<Volume>(std::move(built->volume)) : built.error();
+  }
+  auto editable = VOXC_TRY(
+      EditableVolume::create(volume, {.memory = options.memory, .cache = cache, .shareWithFirst = false}));
+  for (const VoxelEdit &edit : edits)
+    VOXC_TRY(editable.apply(*makeChange(edit)));
+  return editable.view(editable.snapshot());
+}
+
+/// A volume file with the edits of its journal, and those that would be the next.
+Expected<Volume> loadWith(const std::string &path, const std::vector<VoxelEdit> &next,
+                          const LoadOptions &options, const CompileCache *cache) {
+  LoadOptions loading = options;
+  loading.withoutJournal = true;
+  auto volume = Volume::load(path, loading);
+  if (!volume)
+    return volume;
+  auto edits = VOXC_TRY(readJournal(path));
+  if (auto checked = checkEdits(edits, volume->info().extent); !checked)
+    return Error::input("'" + journalPathOf(path) + "' is broken: " + checked.error().message);
+  edits.insert(edits.end(), next.begin(), next.end());
+  return edits.empty() ? std::move(volume) : edited(std::move(*volume), edits, options, cache);
+}
+
 } // namespace
 
 EditJournal::~EditJournal() {
@@ -84,20 +119,21 @@ EditJournal::~EditJournal() {
 }
 
 EditJournal::EditJournal(EditJournal &&other) noexcept
-    : path_(std::move(other.path_)), file_(std::exchange(other.file_, -1)), info_(std::move(other.info_)),
+    : volumePath_(std::move(other.volumePath_)), path_(std::move(other.path_)),
+      file_(std::exchange(other.file_, -1)), info_(std::move(other.info_)),
       transactions_(other.transactions_) {}
 
 Expected<EditJournal> EditJournal::open(const std::string &volumePath) {
   auto summary = summarizeVolume(volumePath);
   if (summary &&
       std::ranges::find(summary->streams, kFrameStream, &StreamSummary::name) != summary->streams.end())
-    return Error::input(
-        "'" + volumePath +
-        "' has frames, which a journal cannot tell apart; --frame N with -o edits one of them");
+    return Error::input("'" + volumePath +
+                        "' has frames, which a journal cannot tell apart; --frame N with -o edits one of "
+                        "them, and writes that one alone");
   const auto identity =
       VOXC_TRY(summary ? journal::identityOf(volumePath) : Expected<journal::Identity>(summary.error()));
   const std::string path = journalPathOf(volumePath);
-  EditJournal journal(path, ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+  EditJournal journal(volumePath, path, ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
   if (journal.file_ < 0)
     return cannotWrite(path);
   if (::flock(journal.file_, LOCK_EX | LOCK_NB) != 0)
@@ -131,8 +167,20 @@ Expected<void> EditJournal::write(const std::string &record) {
   return ::fdatasync(file_) == 0 ? Expected<void>() : cannotWrite(path_);
 }
 
-Expected<void> EditJournal::append(const std::vector<VoxelEdit> &edits) {
+/// Makes the volume as a reader of the journal will: a word that the format cannot keep would keep it from
+/// the volume, whatever edits came later.
+Expected<void> EditJournal::prove(const std::vector<VoxelEdit> &edits, const LoadOptions &options,
+                                  const CompileCache *cache) const {
+  if (!VoxelProof(layoutOf(info_.format).voxelFacts()).isNeeded())
+    return {};
+  const auto made = loadWith(volumePath_, edits, options, cache);
+  return made ? Expected<void>() : made.error();
+}
+
+Expected<void> EditJournal::append(const std::vector<VoxelEdit> &edits, const LoadOptions &options,
+                                   const CompileCache *cache) {
   VOXC_TRY(checkEdits(edits, info_.extent));
+  VOXC_TRY(prove(edits, options, cache));
   const auto bytes = VOXC_TRY(journal::editsText(edits));
   auto written = write(journal::recordText(journal::RecordKind::Edits, transactions_, bytes));
   transactions_ += written ? 1 : 0;
@@ -162,39 +210,8 @@ Expected<std::vector<VoxelEdit>> readJournal(const std::string &volumePath) {
   return edits;
 }
 
-namespace {
-
-/// Edits in place, where the format allows it; else a build of what they make of the volume.
-Expected<Volume> edited(Volume volume, const std::vector<VoxelEdit> &edits, const LoadOptions &options,
-                        const CompileCache *cache) {
-  if (!whyNoEdits(volume.layout()).empty()) {
-    auto constructor = VOXC_TRY(Constructor::compile(volume.format(), cache));
-    BuildOptions building;
-    building.memory = options.memory;
-    building.progress = options.progress;
-    building.provenance = volume.info().provenance;
-    auto built = constructor.edit(std::make_shared<const Volume>(std::move(volume)), edits, building);
-    return built ? Expected<Volume>(std::move(built->volume)) : built.error();
-  }
-  auto editable = VOXC_TRY(
-      EditableVolume::create(volume, {.memory = options.memory, .cache = cache, .shareWithFirst = false}));
-  for (const VoxelEdit &edit : edits)
-    VOXC_TRY(editable.apply(*makeChange(edit)));
-  return editable.view(editable.snapshot());
-}
-
-} // namespace
-
 Expected<Volume> loadEdited(const std::string &path, const LoadOptions &options, const CompileCache *cache) {
-  LoadOptions loading = options;
-  loading.withoutJournal = true;
-  auto volume = Volume::load(path, loading);
-  if (!volume)
-    return volume;
-  const auto edits = VOXC_TRY(readJournal(path));
-  if (auto checked = checkEdits(edits, volume->info().extent); !checked)
-    return Error::input("'" + journalPathOf(path) + "' is broken: " + checked.error().message);
-  return edits.empty() ? std::move(volume) : edited(std::move(*volume), edits, options, cache);
+  return loadWith(path, {}, options, cache);
 }
 
 } // namespace voxc

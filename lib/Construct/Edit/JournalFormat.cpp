@@ -95,6 +95,29 @@ Expected<std::shared_ptr<const Volume>> volumeOf(std::span<const std::byte> file
   return std::make_shared<const Volume>(std::move(volume));
 }
 
+/// The record of this number with which `rest` begins, taken from there; none if it is not whole.
+std::optional<Record> takeRecord(std::span<const std::byte> &rest, std::uint64_t number) {
+  RecordHead head{};
+  std::span<const std::byte> behind = rest;
+  if (!take(behind, head) || head.bytes > behind.size())
+    return std::nullopt;
+  const auto bytes = behind.first(static_cast<std::size_t>(head.bytes));
+  if (head.checksum != checksumOf(head.kind, number, bytes))
+    return std::nullopt;
+  rest = behind.subspan(bytes.size());
+  return Record{head.kind, bytes};
+}
+
+/// Whether a record of this number stands behind the one that `rest` begins with: each is on the disk before
+/// the next is begun.
+bool hasNext(std::span<const std::byte> rest, std::uint64_t number) {
+  RecordHead head{};
+  if (!take(rest, head) || head.bytes > rest.size())
+    return false;
+  rest = rest.subspan(static_cast<std::size_t>(head.bytes));
+  return takeRecord(rest, number).has_value();
+}
+
 } // namespace
 
 std::string recordText(RecordKind kind, std::uint64_t number, const std::string &bytes) {
@@ -113,16 +136,13 @@ Expected<Contents> parse(std::span<const std::byte> file, const std::string &pat
   contents.identity = std::exchange(head.identity, {});
   if (std::memcmp(&head, &kHead, sizeof head) != 0)
     return Error::input("'" + path + "' is no journal of edits");
-  contents.end = sizeof(Head);
-  RecordHead record{};
-  while (take(rest, record) && record.bytes <= rest.size()) {
-    const auto bytes = rest.first(static_cast<std::size_t>(record.bytes));
-    if (record.checksum != checksumOf(record.kind, contents.records.size(), bytes))
-      break;
-    contents.records.push_back({record.kind, bytes});
-    contents.end += sizeof record + bytes.size();
-    rest = rest.subspan(bytes.size());
-  }
+  while (const auto record = takeRecord(rest, contents.records.size()))
+    contents.records.push_back(*record);
+  contents.end = file.size() - rest.size();
+  if (hasNext(rest, contents.records.size() + 1))
+    return Error::input("the journal '" + path + "' is damaged at its edit " +
+                        std::to_string(contents.records.size() + 1) +
+                        ", behind which there are others; put back a copy of it, or remove it");
   return contents;
 }
 

@@ -55,7 +55,8 @@ struct Contents {
   std::uint64_t end = 0;
 };
 
-/// Error (`Input`): this is no journal. One that ends within its head is empty.
+/// Errors (`Input`): this is no journal; a record is damaged that was whole, since others follow. One that
+/// ends within its head is empty.
 Expected<Contents> parse(std::span<const std::byte> file, const std::string &path);
 
 /// The identity in the head of a volume file. Error (`Input`): it cannot be read.

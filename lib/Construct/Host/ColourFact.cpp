@@ -26,9 +26,20 @@ constexpr int kMostLabelBits = 16;
 
 bool isLabel(std::uint32_t word) { return word >> kMostLabelBits == 0; }
 
-std::string ofLabel(std::uint32_t word) {
-  return isLabel(word) ? " of label " + std::to_string(word)
-                       : " of a colour, or of a sample that is no whole number below 2^16";
+std::string ofLabel(std::uint32_t word, bool isToCome) {
+  if (isLabel(word))
+    return " of label " + std::to_string(word);
+  return isToCome ? " of a colour" : " of a colour, or of a sample that is no whole number below 2^16";
+}
+
+/// What would be right for a word that is no label; an edit has no input whose options could help.
+const char *remedyFor(std::uint32_t word, bool isToCome) {
+  if (isLabel(word))
+    return "build it with more bits";
+  return isToCome ? "the word of a label is its number, as label 5 is written 05000000 in digits rrggbbaa"
+                  : "--colour-map labels takes labels from a dense volume or MagicaVoxel models, other "
+                    "inputs have none; numbers below 0 and fractions are attached to a volume without "
+                    "labels: voxc attach V.hvx --words hu=INPUT -o V.hvx";
 }
 
 } // namespace
@@ -36,15 +47,11 @@ std::string ofLabel(std::uint32_t word) {
 ColourFact::ColourFact(VoxelFacts facts)
     : facts_(facts), most_(mostColours(facts)), colours_(mostColours(facts)) {}
 
-Error ColourFact::broken(const std::string &whatIs, std::uint32_t colour) const {
+Error ColourFact::broken(const std::string &whatIs, std::uint32_t colour, bool isToCome) const {
   if (kindOf(facts_.payload).labels)
-    return Error::input(
-        whatIs + ofLabel(colour) + ", but the format states payload=material(" +
-        std::to_string(facts_.payloadBits) + "), labels from 1 to " + std::to_string(most_ - 1) +
-        (isLabel(colour) ? "; build it with more bits"
-                         : "; --colour-map labels takes labels from a dense volume or MagicaVoxel models, "
-                           "other inputs have none; numbers below 0 and fractions are attached to a volume "
-                           "without labels: voxc attach V.hvx --words hu=INPUT -o V.hvx"));
+    return Error::input(whatIs + ofLabel(colour, isToCome) + ", but the format states payload=material(" +
+                        std::to_string(facts_.payloadBits) + "), labels from 1 to " +
+                        std::to_string(most_ - 1) + "; " + remedyFor(colour, isToCome));
   const std::string is = whatIs + " " + colourText(colour) + ", others ";
   if (kindOf(facts_.payload).oneColour)
     return Error::input(is + "are " + colourText(one()) +

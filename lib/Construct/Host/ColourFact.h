@@ -24,8 +24,8 @@ public:
   }
   /// The first colour if there may be but one, 0 if there is none.
   std::uint32_t one() const { return most_ == 1 && !colours_.colours().empty() ? colours_.colours()[0] : 0; }
-  /// What `take` refused; `whatIs`: "voxel (1, 2, 3) is".
-  Error broken(const std::string &whatIs, std::uint32_t colour) const;
+  /// What `take` refused; `whatIs`: "voxel (1, 2, 3) is". `isToCome`: an edit would make it.
+  Error broken(const std::string &whatIs, std::uint32_t colour, bool isToCome = false) const;
 
 private:
   VoxelFacts facts_;

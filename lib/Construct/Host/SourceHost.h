@@ -27,9 +27,10 @@ private:
 /// Reads and counts voxels; also the host of a part, whose result it keeps.
 class SourceHost : public BuildHost {
 public:
-  /// `facts`: what the volume's format states of its voxels.
-  SourceHost(VoxelSource &source, NodeStore &store, VoxelFacts facts, const Progress &progress)
-      : BuildHost(store), source_(source), proof_(facts), progress_(source.extent(), progress) {}
+  /// `facts`: what the volume's format states of its voxels. `isEdited`: the source is what edits would make.
+  SourceHost(VoxelSource &source, NodeStore &store, VoxelFacts facts, const Progress &progress,
+             bool isEdited = false)
+      : BuildHost(store), source_(source), proof_(facts, isEdited), progress_(source.extent(), progress) {}
 
   std::uint64_t voxels() const { return voxels_; }
   /// The one colour of all voxels so far, of a payload of one; 0: none yet.

@@ -14,13 +14,14 @@ namespace voxc {
 
 class VoxelProof {
 public:
-  explicit VoxelProof(VoxelFacts facts) : facts_(facts), colours_(facts) {}
+  /// `isToCome`: of voxels that an edit would make, which messages say.
+  explicit VoxelProof(VoxelFacts facts, bool isToCome = false)
+      : facts_(facts), isToCome_(isToCome), colours_(facts) {}
 
   /// True if something is stated that not every voxel keeps.
   bool isNeeded() const;
-  /// What is wrong with a voxel of this word, which is not 0: of one that there is, or that an edit would
-  /// make.
-  std::optional<Error> prove(Int3 at, std::uint32_t word, bool isToCome = false);
+  /// What is wrong with a voxel of this word, which is not 0.
+  std::optional<Error> prove(Int3 at, std::uint32_t word);
   /// True if voxels keep their words, and what is kept of one.
   bool keepsWords() const { return kindOf(facts_.payload).varies; }
   std::uint32_t kept(std::uint32_t word) const {
@@ -31,6 +32,7 @@ public:
 
 private:
   VoxelFacts facts_;
+  bool isToCome_;
   ColourFact colours_;
 };
 

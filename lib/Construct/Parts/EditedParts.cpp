@@ -40,7 +40,7 @@ Expected<std::unique_ptr<EditedParts>> EditedParts::create(const Volume &volume,
                                                            std::span<const VoxelEdit> edits,
                                                            const ConstructCode &code,
                                                            const BuildOptions &options) {
-  auto builder = VOXC_TRY(PartBuilder::create(edited->view(), code, volume.layout(), options.memory));
+  auto builder = VOXC_TRY(PartBuilder::create(edited->view(), code, volume.layout(), options.memory, true));
   return std::unique_ptr<EditedParts>(
       new EditedParts(volume, std::move(edited), edits, std::move(builder), options));
 }

@@ -14,9 +14,9 @@ namespace {
 /// The host of a part: reads a source and keeps the result.
 class PartHost final : public SourceHost {
 public:
-  PartHost(VoxelSource &source, NodeStore &store, VoxelFacts facts, const Progress &progress,
+  PartHost(VoxelSource &source, NodeStore &store, VoxelFacts facts, const Progress &progress, bool isEdited,
            Fragment &fragment)
-      : SourceHost(source, store, facts, progress), fragment_(fragment) {}
+      : SourceHost(source, store, facts, progress, isEdited), fragment_(fragment) {}
 
 protected:
   void putValue(std::uint32_t value) override { fragment_.values.push_back(value); }
@@ -111,11 +111,11 @@ void keepWords(NodeStore &store, Fragment &fragment) {
 }
 
 Expected<PartBuilder> PartBuilder::create(std::unique_ptr<VoxelSource> source, const ConstructCode &code,
-                                          const Layout &layout,
-                                          const std::shared_ptr<WorkingMemory> &memory) {
+                                          const Layout &layout, const std::shared_ptr<WorkingMemory> &memory,
+                                          bool isEdited) {
   auto words = VOXC_TRY(WordStore::create(memory));
   auto store = std::make_unique<NodeStore>(std::move(words), layout.countingWords(), memory);
-  return PartBuilder(std::move(source), code, layout.voxelFacts(), std::move(store));
+  return PartBuilder(std::move(source), code, layout.voxelFacts(), std::move(store), isEdited);
 }
 
 Expected<Fragment> PartBuilder::build(const Cube &cube, const Progress &progress) {
@@ -123,7 +123,7 @@ Expected<Fragment> PartBuilder::build(const Cube &cube, const Progress &progress
   fragment.cube = cube;
   store_->clear();
   store_->logTo(&fragment.blocks);
-  PartHost host(*source_, *store_, facts_, progress, fragment);
+  PartHost host(*source_, *store_, facts_, progress, isEdited_, fragment);
   VOXC_TRY(code_.part(host, cube));
   keepWords(*store_, fragment);
   fragment.voxels = host.voxels();

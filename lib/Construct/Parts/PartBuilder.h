@@ -71,22 +71,25 @@ void keepWords(NodeStore &store, Fragment &fragment);
 /// Builds parts of one source, one after the other, in memory of its own.
 class PartBuilder {
 public:
-  /// `layout`: of the volume. Error: no memory.
+  /// `layout`: of the volume. `isEdited`: the source is what edits would make. Error: no memory.
   static Expected<PartBuilder> create(std::unique_ptr<VoxelSource> source, const ConstructCode &code,
-                                      const Layout &layout, const std::shared_ptr<WorkingMemory> &memory);
+                                      const Layout &layout, const std::shared_ptr<WorkingMemory> &memory,
+                                      bool isEdited = false);
 
   /// One part. Errors: the source's, no memory, too many words.
   Expected<Fragment> build(const Cube &cube, const Progress &progress);
 
 private:
   PartBuilder(std::unique_ptr<VoxelSource> source, const ConstructCode &code, VoxelFacts facts,
-              std::unique_ptr<NodeStore> store)
-      : source_(std::move(source)), code_(code), facts_(facts), store_(std::move(store)) {}
+              std::unique_ptr<NodeStore> store, bool isEdited)
+      : source_(std::move(source)), code_(code), facts_(facts), store_(std::move(store)),
+        isEdited_(isEdited) {}
 
   std::unique_ptr<VoxelSource> source_;
   ConstructCode code_;
   VoxelFacts facts_;
   std::unique_ptr<NodeStore> store_;
+  bool isEdited_;
 };
 
 } // namespace voxc

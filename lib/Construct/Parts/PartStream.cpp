@@ -20,9 +20,10 @@ bool MergeHost::isEmpty(const Cube &cube) {
   return false;
 }
 
-void MergeHost::readBrick(Int3, construct::Brick &brick) {
+void MergeHost::readBrick(Int3 low, construct::Brick &brick) {
   brick = {};
-  store().fail(Error::input("a part is smaller than the cells that it was to be built of"));
+  if (!isEmpty({low, construct::kLog2Brick}))
+    store().fail(Error::input("a part is smaller than the cells that it was to be built of"));
 }
 
 /// Parts were proven apart; together they may have a colour too much.

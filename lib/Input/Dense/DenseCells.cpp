@@ -56,9 +56,7 @@ std::uint32_t byteOf(double value, double most) {
 
 class ColourRows final : public DenseRows {
 public:
-  explicit ColourRows(DenseVolume volume)
-      : volume_(std::move(volume)), steps_(stepsOf(volume_)),
-        most_(isWhole(volume_.layout.type) ? greatest(volume_.layout.type) : 1) {}
+  explicit ColourRows(DenseVolume volume) : volume_(std::move(volume)), steps_(stepsOf(volume_)) {}
 
   void read(Int3 first, std::int32_t count, std::uint32_t *words) const override {
     const std::byte *at = volume_.samples + offsetOf(steps_, first);
@@ -72,7 +70,7 @@ private:
     for (int channel = 0; channel < volume_.channels; ++channel) {
       double value = 0;
       loadSamples(volume_.layout, at + channel * volume_.channelStep, 1, &value);
-      bytes[static_cast<std::size_t>(channel)] = byteOf(value, most_);
+      bytes[static_cast<std::size_t>(channel)] = byteOf(value, volume_.fullColour);
     }
     const bool isEmpty = volume_.channels == 3 && (bytes[0] | bytes[1] | bytes[2]) == 0;
     return isEmpty ? 0 : rgba(bytes[0], bytes[1], bytes[2], bytes[3]);
@@ -80,7 +78,6 @@ private:
 
   DenseVolume volume_;
   std::array<std::int64_t, 3> steps_;
-  double most_;
 };
 
 constexpr std::size_t kPiece = 1 << 14;

@@ -37,17 +37,17 @@ InputFact rangeFact(const SampleRange &range) {
   return {"range", toText(range.low) + " to " + toText(range.high), {range.low, range.high}};
 }
 
-InputFact zerosFact(const Histogram &histogram) {
+/// How many samples are something.
+InputFact countFact(std::string name, std::uint64_t count, const Histogram &histogram) {
   std::array<char, 64> text;
-  std::snprintf(text.data(), text.size(), "%llu, %.1f %%", static_cast<unsigned long long>(histogram.zeros),
-                100 * double(histogram.zeros) / double(std::max<std::uint64_t>(histogram.total(), 1)));
-  return {"zeros", text.data(), {double(histogram.zeros)}};
+  std::snprintf(text.data(), text.size(), "%llu, %.1f %%", static_cast<unsigned long long>(count),
+                100 * double(count) / double(std::max<std::uint64_t>(histogram.total(), 1)));
+  return {std::move(name), text.data(), {double(count)}};
 }
 
 /// A row for each part of the range, with a bar as long as its share.
 InputFact histogramFact(const Histogram &histogram) {
-  const SampleRange &range = histogram.range;
-  const double width = (range.high - range.low) / double(kRows);
+  const double width = histogram.width() * double(histogram.counts.size() / kRows);
   std::array<std::uint64_t, kRows> counts{};
   for (std::size_t i = 0; i < histogram.counts.size(); ++i)
     counts[i * kRows / histogram.counts.size()] += histogram.counts[i];
@@ -56,7 +56,7 @@ InputFact histogramFact(const Histogram &histogram) {
   for (std::size_t i = 0; i < kRows; ++i) {
     const double share = double(counts[i]) / total;
     std::array<char, 64> row;
-    std::snprintf(row.data(), row.size(), "from %-12.6g %5.1f %%", range.low + double(i) * width,
+    std::snprintf(row.data(), row.size(), "from %-12.6g %5.1f %%", histogram.range.low + double(i) * width,
                   100 * share);
     const std::string bar(static_cast<std::size_t>(std::lround(40 * share)), '#');
     fact.text += (i == 0 ? "" : "\n") + std::string(row.data()) + (bar.empty() ? "" : " " + bar);
@@ -70,7 +70,9 @@ InputFact histogramFact(const Histogram &histogram) {
 std::vector<InputFact> factsOf(const DenseVolume &volume, const Histogram &histogram) {
   std::vector<InputFact> facts{samplesFact(volume), sizeFact("size", volume.extent),
                                spacingFact(volume.sampleToModel), rangeFact(histogram.range),
-                               zerosFact(histogram)};
+                               countFact("zeros", histogram.zeros, histogram)};
+  if (histogram.noNumbers > 0)
+    facts.push_back(countFact("no numbers", histogram.noNumbers, histogram));
   if (histogram.range.low < histogram.range.high)
     facts.push_back(histogramFact(histogram));
   return facts;

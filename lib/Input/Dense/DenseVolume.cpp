@@ -12,6 +12,7 @@
 #include "Source/DenseSource.h"
 #include "Source/GridExtent.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -30,18 +31,46 @@ Expected<SampleRange> rangeOf(const DenseVolume &volume, const SampleMap &map, c
   return range.low <= range.high ? range : SampleRange{0, 0};
 }
 
+constexpr double kByteColours = 255;
+
+/// Of all channels of colours.
+struct ChannelRange {
+  double high = 0;
+  bool areWhole = true;
+};
+
+Expected<ChannelRange> rangeOfChannels(const DenseVolume &volume, const InputOptions &options) {
+  ChannelRange range;
+  DenseVolume channel = volume;
+  channel.channels = 1;
+  channel.steps = stepsOf(volume);
+  std::vector<double> stored;
+  for (int i = 0; i < volume.channels; ++i, channel.samples += volume.channelStep)
+    VOXC_TRY(forEachPiece(channel, options, [&](const std::byte *samples, std::size_t count) {
+      stored.resize(count);
+      loadSamples(volume.layout, samples, count, stored.data());
+      for (const double value : stored) {
+        range.high = std::max(range.high, value);
+        range.areWhole &= value == std::floor(value);
+      }
+    }));
+  return range;
+}
+
 /// A share of the samples that no thing in a box fills, with room around it.
 constexpr double kMostlySolid = 0.5;
 
 std::string percent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
 
 /// Finds the threshold that nobody gave, if too much would be solid without, and says what it is. Labels have
-/// none: a histogram parts what is measured, and would drop some of them. Error: interrupted.
+/// none: a histogram parts what is measured, and would drop some of them. Nor have samples of a file that
+/// says by no numbers where nothing is. Error: interrupted.
 Expected<void> findThreshold(DenseVolume &volume, const Histogram &histogram, const InputOptions &options,
                              SampleMap &map) {
   const double share = histogram.shareFrom(histogram.range.low);
   constexpr double kBackground = 0.3; // Of the samples that are not 0: some of them are background then.
-  if (map.threshold || share <= kBackground || histogram.range.low >= histogram.range.high)
+  const bool hasBackground = double(histogram.noNumbers) > kBackground * double(histogram.total());
+  if (map.threshold || share <= kBackground || hasBackground || histogram.range.low >= histogram.range.high)
     return {};
   const auto labels = VOXC_TRY(countLabels(volume, options));
   if (labels || volume.areLabels) {
@@ -61,7 +90,9 @@ Expected<void> findThreshold(DenseVolume &volume, const Histogram &histogram, co
 void warnOfThreshold(DenseVolume &volume, const Histogram &histogram, const SampleMap &map) {
   const std::optional<std::string> complaint =
       map.threshold ? complaintOf(*map.threshold, histogram.range) : std::nullopt;
-  const double solid = histogram.shareFrom(map.threshold.value_or(histogram.range.low));
+  double solid = histogram.shareFrom(map.threshold.value_or(histogram.range.low));
+  if (map.threshold && *map.threshold <= 0 && histogram.total() > 0)
+    solid += double(histogram.zeros) / double(histogram.total());
   if (complaint)
     volume.warnings.push_back(*complaint);
   else if (solid > kMostlySolid)
@@ -156,6 +187,26 @@ std::string provenanceOf(const SampleMap &map, const InputOptions &options) {
   return text + upProvenance(options);
 }
 
+/// What 255 is of colours: the greatest number of their type, or 1. Numbers that look like bytes of a wider
+/// type are taken for bytes, and what is above 1 beside others for 1. Error: interrupted.
+Expected<void> findFullColour(DenseVolume &volume, const InputOptions &options) {
+  const bool areWhole = isWhole(volume.layout.type);
+  volume.fullColour = areWhole ? greatest(volume.layout.type) : 1;
+  if (areWhole && volume.fullColour <= kByteColours)
+    return {};
+  const ChannelRange range = VOXC_TRY(rangeOfChannels(volume, options));
+  if (!areWhole && range.high <= 1)
+    return {};
+  const std::string found = "its colours go up to " + toText(range.high) + ", and ";
+  if (range.areWhole && range.high <= kByteColours) {
+    volume.fullColour = kByteColours;
+    volume.warnings.push_back(found + "are taken as bytes, though the type is " + toText(volume.layout));
+  } else if (!areWhole) {
+    volume.warnings.push_back(found + "those above 1 are taken as 1");
+  }
+  return {};
+}
+
 /// Options that mean nothing for colours. Error: one of them is given.
 Expected<void> checkColours(const InputOptions &options) {
   const bool isMapped = options.colourMap != "grey" && options.colourMap != kLabels;
@@ -176,6 +227,7 @@ Expected<SampleMap> lookOf(DenseVolume &volume, const InputOptions &options, Inp
     return map;
   }
   VOXC_TRY(checkColours(options));
+  VOXC_TRY(findFullColour(volume, options));
   if (options.describe)
     input.facts = factsOf(volume);
   input.provenance = "coverage=cells" + volumeProvenance(options) + upProvenance(options);

@@ -24,10 +24,10 @@ struct DenseVolume {
   /// Bytes from a sample to the next along each axis, which may be negative; all 0: as the default has it.
   std::array<std::int64_t, 3> steps{};
   /// 3 or 4: a cell is not a sample but a colour of so many, each `channelStep` bytes behind the one before.
-  /// Whole numbers are colours from 0 to the greatest of their type, others from 0 to 1; without alpha, black
-  /// is empty.
+  /// Without alpha, black is empty.
   int channels = 1;
   std::int64_t channelStep = 0;
+  double fullColour = 0;   ///< Of colours: the number of a channel that is 255, as `makeInput` finds it.
   bool areLabels = false;  ///< The file says that its samples are numbers of things.
   double unit = 0;         ///< Metres of a step of length 1 in the model; 0: not known.
   Transform sampleToModel; ///< Of points in voxels: sample i fills [i, i + 1).

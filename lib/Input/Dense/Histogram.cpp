@@ -4,28 +4,34 @@
 #include "Input/Dense/DenseCells.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <vector>
 
 namespace voxc {
 
-std::uint64_t Histogram::total() const { return std::accumulate(counts.begin(), counts.end(), zeros); }
+std::uint64_t Histogram::total() const {
+  return std::accumulate(counts.begin(), counts.end(), zeros + noNumbers);
+}
+
+double Histogram::width() const {
+  // The range itself may be beyond all numbers.
+  return range.high / double(counts.size()) - range.low / double(counts.size());
+}
 
 double Histogram::shareFrom(double threshold) const {
-  const double width = (range.high - range.low) / double(counts.size());
   std::uint64_t above = 0;
   for (std::size_t i = 0; i < counts.size(); ++i)
-    if (range.low + (double(i) + 0.5) * width >= threshold)
+    if (range.low + (double(i) + 0.5) * width() >= threshold)
       above += counts[i];
   return total() == 0 ? 0 : double(above) / double(total());
 }
 
 double Histogram::threshold() const {
-  const double width = (range.high - range.low) / double(counts.size());
   // The zeros lie in the part of the range where 0 is.
   std::array<double, 256> weights{};
   std::ranges::copy(counts, weights.begin());
-  const double zeroPart = width > 0 ? (0 - range.low) / width : 0;
+  const double zeroPart = width() > 0 ? (0 - range.low) / width() : 0;
   weights[std::size_t(std::clamp(zeroPart, 0.0, 255.0))] += double(zeros);
   double all = 0, sum = 0;
   for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -46,7 +52,7 @@ double Histogram::threshold() const {
       chosen = i;
     }
   }
-  return range.low + double(chosen + 1) * width;
+  return range.low + double(chosen + 1) * width();
 }
 
 Expected<Histogram> histogramOf(const DenseVolume &volume, const SampleMap &map, const SampleRange &range,
@@ -58,12 +64,17 @@ Expected<Histogram> histogramOf(const DenseVolume &volume, const SampleMap &map,
   parts.window = range;
   for (std::size_t i = 0; i < parts.colours.size(); ++i)
     parts.colours[i] = std::uint32_t(i + 1);
-  std::vector<std::uint32_t> words;
+  std::vector<double> stored;
   const auto counted = forEachPiece(volume, options, [&](const std::byte *samples, std::size_t some) {
-    words.resize(some);
-    mapSamples(volume.layout, samples, some, parts, words.data());
-    for (const std::uint32_t word : words)
-      word == 0 ? ++histogram.zeros : ++histogram.counts[word - 1];
+    stored.resize(some);
+    loadSamples(volume.layout, samples, some, stored.data());
+    for (const double sample : stored) {
+      const double value = map.value(sample);
+      const std::uint32_t word = parts.wordOf(value);
+      !std::isfinite(value) ? ++histogram.noNumbers
+      : word == 0           ? ++histogram.zeros
+                            : ++histogram.counts[word - 1];
+    }
   });
   if (!counted)
     return counted.error();

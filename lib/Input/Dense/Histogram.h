@@ -8,13 +8,16 @@
 
 namespace voxc {
 
-/// Counts of samples: those that are 0, and those of other finite values by 256 equal parts of their range.
+/// Counts of samples: those that are 0, those that are no finite numbers, and the others by 256 equal parts
+/// of their range.
 struct Histogram {
   SampleRange range; ///< Of the values; 0 to 0 if none is finite.
   std::array<std::uint64_t, 256> counts{};
   std::uint64_t zeros = 0;
+  std::uint64_t noNumbers = 0;
 
-  std::uint64_t total() const;
+  std::uint64_t total() const; ///< All samples.
+  double width() const;        ///< Of a part of the range.
   /// The share of the samples, 0 to 1, that are `threshold` or more, but not 0.
   double shareFrom(double threshold) const;
   /// The value that parts the samples best in two: that of the greatest variance between both parts (N. Otsu,

@@ -104,8 +104,15 @@ constexpr std::array<TypeCode, 12> kTypes{{{128, SampleType::Uint8, 3},
 
 /// The steps of the rotation that a unit quaternion's last three numbers stand for.
 Steps rotationOf(const Vector &bcd) {
-  const auto [b, c, d] = bcd;
-  const double a = std::sqrt(std::max(0.0, 1 - b * b - c * c - d * d));
+  auto [b, c, d] = bcd;
+  const double squares = b * b + c * c + d * d;
+  // Of half a turn, where the root would make much of the rounding of float32 (as the format's own library
+  // has it).
+  const bool isHalfTurn = 1 - squares < 1e-7;
+  const double a = isHalfTurn ? 0 : std::sqrt(1 - squares);
+  if (isHalfTurn)
+    for (double *const part : {&b, &c, &d})
+      *part /= std::sqrt(squares);
   return {{{a * a + b * b - c * c - d * d, 2 * (b * c + a * d), 2 * (b * d - a * c)},
            {2 * (b * c - a * d), a * a + c * c - b * b - d * d, 2 * (c * d + a * b)},
            {2 * (b * d + a * c), 2 * (c * d - a * b), a * a + d * d - b * b - c * c}}};

@@ -95,11 +95,14 @@ private:
   std::array<SampledAxis, 3> axes_;
 };
 
-/// The words of means of samples, and of what lies between them. What is no number counts for nothing.
+/// The words of means of samples, and of what lies between them. What is no number counts for nothing. Sums
+/// are of what samples are above the threshold: of a mean of samples that all reach it, no rounding makes
+/// less.
 class MeanRows final : public DenseRows {
 public:
   MeanRows(DenseVolume volume, const SampleMap &map, const std::array<SampledAxis, 3> &axes)
-      : volume_(std::move(volume)), map_(map), axes_(axes), steps_(stepsOf(volume_)) {}
+      : volume_(std::move(volume)), map_(map), threshold_(*map.threshold), axes_(axes),
+        steps_(stepsOf(volume_)) {}
 
   void read(Int3 first, std::int32_t count, std::uint32_t *words) const override {
     std::vector<Taps> taps;
@@ -123,7 +126,7 @@ public:
         weight += tap.weights[j] * line.weights[at];
       }
       if (weight > 0)
-        words[i] = map_.word(sum / weight);
+        words[i] = map_.wordOf(threshold_ + sum / weight);
     }
   }
 
@@ -148,7 +151,7 @@ private:
         const double weight = z.weights[k] * y.weights[j];
         for (std::size_t i = 0; i < size; ++i)
           if (std::isfinite(values[i])) {
-            line.sums[i] += weight * values[i];
+            line.sums[i] += weight * (map_.value(values[i]) - threshold_);
             line.weights[i] += weight;
           }
       }
@@ -157,6 +160,7 @@ private:
 
   DenseVolume volume_;
   SampleMap map_;
+  double threshold_;
   std::array<SampledAxis, 3> axes_;
   std::array<std::int64_t, 3> steps_;
 };

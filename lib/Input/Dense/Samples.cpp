@@ -33,7 +33,7 @@ void loadAll(const std::byte *samples, std::size_t count, double *values) {
 template <typename Stored, bool kSwap>
 void rangeOfAll(const std::byte *samples, std::size_t count, const SampleMap &map, SampleRange &range) {
   for (std::size_t i = 0; i < count; ++i) {
-    const double value = map.slope * load<Stored, kSwap>(samples + i * sizeof(Stored)) + map.intercept;
+    const double value = map.value(load<Stored, kSwap>(samples + i * sizeof(Stored)));
     if (!std::isfinite(value))
       continue;
     range.low = std::min(range.low, value);
@@ -113,8 +113,7 @@ double greatest(SampleType type) { return rowOf(type).greatest; }
 
 bool isWhole(SampleType type) { return type != SampleType::Float32 && type != SampleType::Float64; }
 
-std::uint32_t SampleMap::word(double stored) const {
-  const double value = slope * stored + intercept;
+std::uint32_t SampleMap::wordOf(double value) const {
   if (kept == Kept::Int32)
     return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::clamp(value, -0x1p31, 0x1p31 - 1)));
   if (kept == Kept::Float32)

@@ -67,7 +67,9 @@ struct SampleMap {
   /// The word of a value that is no whole number from 1 to 2^16 - 1.
   static constexpr std::uint32_t kNoLabel = 0xffffffff;
 
-  std::uint32_t word(double stored) const;
+  double value(double stored) const { return slope * stored + intercept; }
+  std::uint32_t wordOf(double value) const;
+  std::uint32_t word(double stored) const { return wordOf(value(stored)); }
 };
 
 /// Writes the words of `count` samples.

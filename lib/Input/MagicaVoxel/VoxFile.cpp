@@ -2,6 +2,7 @@
 #include "Input/MagicaVoxel/VoxFile.h"
 
 #include "Input/MagicaVoxel/VoxCursor.h"
+#include "Input/MagicaVoxel/VoxKeys.h"
 #include "Input/MagicaVoxel/VoxMaterial.h"
 #include "Input/MagicaVoxel/VoxPalette.h"
 
@@ -9,8 +10,10 @@
 #include <bit>
 #include <charconv>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace voxc {
@@ -24,46 +27,71 @@ void note(std::set<std::string> &names, std::string_view name) {
     names.emplace(name.substr(0, kLongest));
 }
 
-/// A dictionary of which only "_hidden" matters; of the rest what says something is noted.
-bool readHidden(VoxCursor &cursor, VoxFile &file) {
+/// What a node or a layer says of itself.
+struct VoxAttributes {
   bool isHidden = false;
+  bool loops = false; ///< Its keys.
+};
+
+/// Of what is not used, what says something is noted.
+VoxAttributes readAttributes(VoxCursor &cursor, VoxFile &file) {
+  VoxAttributes attributes;
   readDictionary(cursor, [&](std::string_view key, std::string_view value) {
     if (key == "_hidden")
-      isHidden = isHidden || value == "1";
+      attributes.isHidden = attributes.isHidden || value == "1";
+    else if (key == "_loop")
+      attributes.loops = attributes.loops || value == "1";
     else if (!value.empty())
       note(file.unused, key);
   });
-  return isHidden;
+  return attributes;
 }
 
-/// A whole number at the front of `text`, which is taken off; 0 if there is none.
-std::int32_t takeInteger(std::string_view &text) {
+/// The next whole number of `text`, which is taken off. A '+' may stand before it.
+std::optional<std::int32_t> takeInteger(std::string_view &text) {
   text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+  if (text.starts_with('+') && !text.starts_with("+-"))
+    text.remove_prefix(1);
   std::int32_t value = 0;
   const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (parsed.ec != std::errc())
+    return std::nullopt;
   text.remove_prefix(static_cast<std::size_t>(parsed.ptr - text.data()));
   return value;
 }
 
-/// One frame of a transform.
-struct VoxFrame {
-  std::int32_t time = 0;
-  unsigned rotation = 4; ///< No rotation.
-  Long3 translation{};
-};
+/// Whole numbers with blanks between them, as many as `numbers` has; false if `text` is anything else.
+bool readIntegers(std::string_view text, std::span<std::int64_t> numbers) {
+  for (std::int64_t &number : numbers) {
+    const auto value = takeInteger(text);
+    if (!value || (!text.empty() && text.front() != ' '))
+      return false;
+    number = *value;
+  }
+  return text.find_first_not_of(' ') == std::string_view::npos;
+}
 
-VoxFrame readFrame(VoxCursor &cursor) {
-  VoxFrame frame;
-  readDictionary(cursor, [&](std::string_view key, std::string_view value) {
-    if (key == "_f")
-      frame.time = takeInteger(value);
-    else if (key == "_r")
-      frame.rotation = static_cast<unsigned>(takeInteger(value));
-    else if (key == "_t")
-      for (std::int64_t &coordinate : frame.translation)
-        coordinate = takeInteger(value);
+Error wrongKey(std::uint32_t node, std::string_view what, std::string_view text, std::string_view right) {
+  constexpr std::size_t kLongest = 32;
+  return Error::input("node " + std::to_string(node) + " has the " + std::string(what) + " '" +
+                      std::string(text.substr(0, kLongest)) + "', which is no " + std::string(right));
+}
+
+/// A key of the node with this number.
+Expected<VoxKey> readKey(VoxCursor &cursor, std::uint32_t node) {
+  VoxKey key;
+  std::optional<Error> problem;
+  readDictionary(cursor, [&](std::string_view name, std::string_view value) {
+    if (name == "_f" && !readIntegers(value, {&key.time, 1}))
+      problem = wrongKey(node, "time", value, "whole number");
+    else if (name == "_r")
+      key.rotation = static_cast<unsigned>(takeInteger(value).value_or(0));
+    else if (name == "_t" && !readIntegers(value, key.translation))
+      problem = wrongKey(node, "place", value, "three whole numbers");
   });
-  return frame;
+  if (problem && !cursor.failed())
+    return *problem;
+  return key;
 }
 
 /// What is read so far.
@@ -73,32 +101,11 @@ struct Reading {
   Long3 size{-1, -1, -1}; ///< Of the next model.
 };
 
-/// Chooses among keys: the last in time up to the frame, else the first.
-class KeyChoice {
-public:
-  explicit KeyChoice(Reading &reading) : reading_(reading) {}
-
-  /// Whether a key of this time is the best so far.
-  bool takes(std::int32_t time) {
-    constexpr std::int32_t kMostFrames = 1 << 20;
-    last_ = std::max(last_, std::clamp(time, 0, kMostFrames - 1));
-    ++keys_;
-    if (keys_ > 1) // A node of one key stays where it is.
-      reading_.file.frames = std::max(reading_.file.frames, last_ + 1);
-    const bool hasDue = best_ <= reading_.frame;
-    const bool isBetter =
-        keys_ == 1 || (time <= reading_.frame ? !hasDue || time > best_ : !hasDue && time < best_);
-    if (isBetter)
-      best_ = time;
-    return isBetter;
-  }
-
-private:
-  Reading &reading_;
-  std::uint32_t keys_ = 0;
-  std::int32_t best_ = 0; ///< The time of the chosen one.
-  std::int32_t last_ = 0;
-};
+/// The key of a node for the frame that is asked for.
+VoxKey chooseKey(Reading &reading, std::vector<VoxKey> keys, bool loop) {
+  reading.file.frames = std::max(reading.file.frames, framesOf(keys));
+  return keyAt(std::move(keys), loop, reading.frame);
+}
 
 Expected<void> addNode(VoxFile &file, std::uint32_t number, VoxNode &&node) {
   if (file.nodes.try_emplace(number, std::move(node)).second)
@@ -117,6 +124,7 @@ Expected<void> readVoxels(VoxCursor &cursor, Reading &reading) {
     return Error::input("it has voxels without a size");
   const std::uint32_t count = cursor.count(4);
   const auto voxels = cursor.take(std::uint64_t{4} * count);
+  reading.file.bytesBehind += cursor.size();
   // A voxel's coordinates are bytes.
   for (const std::int64_t size : reading.size)
     if (size > 256)
@@ -135,15 +143,15 @@ Expected<void> readTransform(VoxCursor &cursor, Reading &reading) {
   VoxNode node;
   node.kind = VoxNode::Kind::Transform;
   const std::uint32_t number = cursor.word();
-  node.isHidden = readHidden(cursor, reading.file);
+  const VoxAttributes attributes = readAttributes(cursor, reading.file);
+  node.isHidden = attributes.isHidden;
   node.children = {cursor.word()};
   cursor.word();
   node.layer = static_cast<std::int32_t>(cursor.word());
-  VoxFrame chosen;
-  KeyChoice choice(reading);
-  for (std::uint32_t frames = cursor.count(4); frames > 0 && !cursor.failed(); --frames)
-    if (const VoxFrame frame = readFrame(cursor); choice.takes(frame.time))
-      chosen = frame;
+  std::vector<VoxKey> keys;
+  for (std::uint32_t left = cursor.count(4); left > 0 && !cursor.failed(); --left)
+    keys.push_back(VOXC_TRY(readKey(cursor, number)));
+  const VoxKey chosen = chooseKey(reading, std::move(keys), attributes.loops);
   const auto placement = Placement::fromByte(chosen.rotation);
   if (!placement)
     return Error::input("node " + std::to_string(number) + " has the rotation " +
@@ -157,7 +165,7 @@ Expected<void> readGroup(VoxCursor &cursor, Reading &reading) {
   VoxNode node;
   node.kind = VoxNode::Kind::Group;
   const std::uint32_t number = cursor.word();
-  node.isHidden = readHidden(cursor, reading.file);
+  node.isHidden = readAttributes(cursor, reading.file).isHidden;
   node.children.resize(cursor.count(4));
   for (std::uint32_t &child : node.children)
     child = cursor.word();
@@ -168,22 +176,24 @@ Expected<void> readShape(VoxCursor &cursor, Reading &reading) {
   VoxNode node;
   node.kind = VoxNode::Kind::Shape;
   const std::uint32_t number = cursor.word();
-  node.isHidden = readHidden(cursor, reading.file);
+  const VoxAttributes attributes = readAttributes(cursor, reading.file);
+  node.isHidden = attributes.isHidden;
   const std::uint32_t models = cursor.count(8);
   if (models == 0 && !cursor.failed())
     return Error::input("the shape " + std::to_string(number) + " has no model");
-  KeyChoice choice(reading);
+  std::vector<VoxKey> keys;
   for (std::uint32_t i = 0; i < models && !cursor.failed(); ++i) {
     const std::uint32_t model = cursor.word();
-    if (const VoxFrame frame = readFrame(cursor); choice.takes(frame.time))
-      node.model = model;
+    keys.push_back(VOXC_TRY(readKey(cursor, number)));
+    keys.back().model = model;
   }
+  node.model = chooseKey(reading, std::move(keys), attributes.loops).model;
   return addNode(reading.file, number, std::move(node));
 }
 
 Expected<void> readLayer(VoxCursor &cursor, Reading &reading) {
   const auto number = static_cast<std::int32_t>(cursor.word());
-  if (readHidden(cursor, reading.file))
+  if (readAttributes(cursor, reading.file).isHidden)
     reading.file.hiddenLayers.insert(number);
   return {};
 }

@@ -49,12 +49,13 @@ struct VoxFile {
   std::array<float, 256> light{}; ///< and how many times as bright as their colour, if they give off light.
   std::set<std::string> unknown;  ///< Names of chunks, the first few.
   std::set<std::string> unused;   ///< Names of chunks and attributes that change no voxel, the first few.
+  std::uint64_t bytesBehind = 0;  ///< The voxels that models say they have.
   std::int32_t frames = 1;        ///< Of the scene graph: one more than the time of its last key.
 };
 
-/// Reads a whole file in place. Of a node's or shape's keys the last up to the time `frame` is taken, from 0
-/// on; where there is none, the first. Errors: not a MagicaVoxel file; a chunk, a text or a list that reaches
-/// over its end; no model; a rotation that is none.
+/// Reads a whole file in place. Nodes and shapes are as `keyAt` has them at the time `frame`, from 0 on.
+/// Errors: not a MagicaVoxel file; a chunk, a text or a list that reaches over its end; no model; a time, a
+/// place or a rotation that is none.
 Expected<VoxFile> readVoxFile(std::span<const std::byte> bytes, std::int32_t frame = 0);
 
 } // namespace voxc

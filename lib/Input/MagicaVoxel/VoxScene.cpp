@@ -145,6 +145,9 @@ Expected<VoxScene> makeVoxScene(const VoxFile &file, std::optional<std::int32_t>
   } else {
     scene.instances.push_back({&file.models[static_cast<std::size_t>(frame.value_or(0))], {}});
   }
+  if (file.bytesBehind != 0)
+    scene.warnings.push_back(countedAre(file.bytesBehind, "byte") +
+                             " left out, which lie behind the voxels of its models");
   warnOfNames("chunks that are not known are left out: ", file.unknown, scene);
   warnOfNames("chunks and attributes of its editor, which change no voxel, are not used: ", file.unused,
               scene);

@@ -296,6 +296,8 @@ constexpr auto kOldKinds = std::to_array<OldKind>({{1, 1, "granite"},
                                                    {43, 5, "stone_bricks"},
                                                    {43, 6, "nether_bricks"},
                                                    {43, 7, "quartz_block"},
+                                                   {43, 9, "smooth_sandstone"},
+                                                   {43, 15, "smooth_quartz"},
                                                    {44, 1, "sandstone_slab"},
                                                    {44, 2, "oak_slab"},
                                                    {44, 3, "cobblestone_slab"},
@@ -308,7 +310,12 @@ constexpr auto kOldKinds = std::to_array<OldKind>({{1, 1, "granite"},
                                                    {98, 3, "chiseled_stone_bricks"},
                                                    {139, 1, "mossy_cobblestone_wall"},
                                                    {168, 1, "prismarine_bricks"},
-                                                   {168, 2, "dark_prismarine"}});
+                                                   {168, 2, "dark_prismarine"},
+                                                   {175, 1, "lilac"},
+                                                   {175, 2, "tall_grass"},
+                                                   {175, 3, "large_fern"},
+                                                   {175, 4, "rose_bush"},
+                                                   {175, 5, "peony"}});
 
 /// Blocks of woods whose kind is of two bits, beside that of the list; 161 and 162 go on where 18 and 17 end.
 unsigned woodOf(unsigned number, unsigned kind) {

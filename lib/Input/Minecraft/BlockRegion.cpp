@@ -76,7 +76,11 @@ Expected<void> BlockRegion::forEachBlock(
         if (number >= words.size())
           return Error::input("a block has the number " + std::to_string(number) + ", but the palette has " +
                               counted(words.size(), "kind"));
-        if (const std::uint32_t word = words[static_cast<std::size_t>(number)])
+        const std::uint32_t word = words[static_cast<std::size_t>(number)];
+        if (word == kNoBlock)
+          return Error::input("a block has the number " + std::to_string(number) +
+                              ", which its palette gives to no kind");
+        if (word != 0)
           visit(cell, word);
       }
   return {};

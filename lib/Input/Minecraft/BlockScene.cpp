@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <optional>
 #include <set>
 
 namespace voxc {
@@ -133,15 +134,20 @@ Expected<void> checkSize(const BlockBox &size) {
 
 Error lacks(std::string_view what) { return Error::input("it has no " + std::string(what)); }
 
-/// Width, height and length, of 16 bits without a sign.
+/// Width, height and length. Shorts have no sign here, whatever NBT says.
 Expected<BlockBox> sizeOf(const NbtTag &schematic) {
   BlockBox size{};
   constexpr std::array<std::string_view, 3> kNames{"Width", "Height", "Length"};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto number = schematic[kNames[axis]].number();
+    constexpr std::int64_t kMost = 0xffff;
+    const NbtTag tag = schematic[kNames[axis]];
+    const auto number = tag.number();
     if (!number)
       return lacks("tag " + std::string(kNames[axis]) + " with a number");
-    size[axis] = *number & 0xffff;
+    size[axis] = tag.kind() == NbtKind::Short ? *number & kMost : *number;
+    if (size[axis] > kMost)
+      return Error::input("its " + std::string(kNames[axis]) + " is " + std::to_string(size[axis]) +
+                          "; there may be " + std::to_string(kMost) + " blocks on an axis");
   }
   VOXC_TRY(checkSize(size));
   return size;
@@ -161,19 +167,26 @@ BlockBox offsetOf(const NbtTag &tag) {
 Expected<std::vector<std::uint32_t>> wordsOf(const NbtTag &palette, BlockPalette &names) {
   std::vector<std::uint32_t> words;
   bool isRight = palette.kind() == NbtKind::Compound;
+  std::optional<std::size_t> twice;
   palette.forEach([&](const NbtTag &tag) {
-    const std::int64_t number = tag.number().value_or(-1);
-    isRight = isRight && number >= 0 && number < kMostKinds;
+    const std::int64_t value = tag.number().value_or(-1);
+    isRight = isRight && value >= 0 && value < kMostKinds;
     if (!isRight)
       return false;
-    if (words.size() <= static_cast<std::size_t>(number))
-      words.resize(static_cast<std::size_t>(number) + 1);
-    words[static_cast<std::size_t>(number)] = names.wordOf(tag.name());
-    return !names.isStopped();
+    const auto number = static_cast<std::size_t>(value);
+    if (words.size() <= number)
+      words.resize(number + 1, kNoBlock);
+    if (words[number] != kNoBlock)
+      twice = number;
+    words[number] = names.wordOf(tag.name());
+    return !twice && !names.isStopped();
   });
   if (!isRight)
     return Error::input("its palette is none: each name should have a number from 0 to " +
                         std::to_string(kMostKinds - 1));
+  if (twice)
+    return Error::input("its palette gives the number " + std::to_string(*twice) +
+                        " to two names; each should have its own");
   return words;
 }
 

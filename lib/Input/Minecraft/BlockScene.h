@@ -21,11 +21,14 @@ enum class BlockCoding : std::uint8_t {
 /// Air is many blocks of few bytes, so that whoever goes through them looks at whether to stop.
 inline constexpr std::uint64_t kBlocksBetweenLooks = 1 << 16;
 
+/// In place of the word of a number that the palette lacks. Words of blocks are opaque.
+inline constexpr std::uint32_t kNoBlock = 1;
+
 /// A box of blocks.
 struct BlockRegion {
   std::array<std::int64_t, 3> low{};
   std::array<std::int64_t, 3> size{};
-  std::vector<std::uint32_t> words; ///< By the number of a block; 0 for air.
+  std::vector<std::uint32_t> words; ///< By the number of a block; 0 for air, or `kNoBlock`.
   BlockCoding coding = BlockCoding::Varint;
   unsigned bits = 0; ///< Of `Packed`.
   std::span<const std::byte> data;
@@ -57,7 +60,8 @@ struct BlockScene {
 
 /// The boxes of a Sponge schematic (.schem, versions 1 to 3), a Litematica file (.litematic) or a schematic
 /// of old (.schematic), whichever the tags are. They point into `file`'s bytes. Errors: none of these; what a
-/// box needs is missing, or is larger than its data; a palette of more than 2^20 kinds; interrupted.
+/// box needs is missing, or is larger than its data; a palette of more than 2^20 kinds, or of two for one
+/// number; interrupted.
 Expected<BlockScene> readBlockScene(const NbtTag &file, const Progress &progress);
 
 } // namespace voxc

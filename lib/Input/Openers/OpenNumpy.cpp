@@ -103,14 +103,18 @@ Expected<DenseVolume> readArray(std::span<const std::byte> whole, std::unique_pt
   return volume;
 }
 
+/// The name of an array, by which `--grid` takes it.
+std::string nameOf(const ZippedFile &file) {
+  return file.name.substr(0, file.name.size() - (file.name.ends_with(".npy") ? 4 : 0));
+}
+
 /// Which array of an archive is taken: that of `--grid`, else the first of three axes or more.
 Expected<std::size_t> choose(const std::vector<ZippedFile> &files, const InputOptions &options,
                              std::vector<std::string> &warnings) {
   std::optional<std::size_t> chosen;
   std::string others;
   for (std::size_t i = 0; i < files.size(); ++i) {
-    std::string name = files[i].name;
-    name.resize(name.ends_with(".npy") ? name.size() - 4 : name.size());
+    const std::string name = nameOf(files[i]);
     std::vector<std::byte> front(kMostNpyHeader);
     const auto count = files[i].open()->readSome(front);
     const auto header =
@@ -126,7 +130,7 @@ Expected<std::size_t> choose(const std::vector<ZippedFile> &files, const InputOp
                                               : "it has no array '" + options.grid + "'") +
                         (others.empty() ? "" : "; there are " + others));
   if (options.grid.empty() && !others.empty())
-    warnings.push_back("the array '" + files[*chosen].name + "' is taken, and left out are " +
+    warnings.push_back("the array '" + nameOf(files[*chosen]) + "' is taken, and left out are " +
                        others.substr(0, 400) + " (--grid NAME takes one of them)");
   return *chosen;
 }

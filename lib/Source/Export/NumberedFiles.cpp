@@ -9,10 +9,12 @@ namespace {
 /// What a reader may begin with: numbers 0 and 1.
 constexpr std::uint64_t kBeginning = 2;
 
-/// Removes a file; a pipe or a device stays, and is written to.
+/// Removes a file; a pipe or a device stays, and is written to. So does a link to a file, which is made anew
+/// where that leads.
 void removeFile(const std::string &path) {
-  if (platform::kindOf(path) == platform::PathKind::File)
-    platform::removeFile(path);
+  const auto end = platform::followLinks(path);
+  if (end && !end->isOpen && platform::kindOf(end->path) == platform::PathKind::File)
+    platform::removeFile(end->path);
 }
 
 } // namespace
@@ -41,6 +43,13 @@ Expected<void> NumberedFiles::finish() {
     VOXC_TRY(file.commit());
   beginning_.clear();
   return {};
+}
+
+std::string NumberedFiles::leftover() const {
+  const std::string path = path_(count_);
+  if (platform::kindOf(path) != platform::PathKind::File)
+    return "";
+  return "'" + path + "' lies there from before, and belongs to another set; remove it and those behind it";
 }
 
 } // namespace voxc

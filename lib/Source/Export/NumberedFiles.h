@@ -5,6 +5,7 @@
 #include "voxc/Support/NumberedPath.h"
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -24,6 +25,9 @@ public:
   Expected<void> finish();
 
   std::uint64_t count() const { return count_; }
+  /// A warning if an earlier, longer set has files behind the last of these: a reader would go on with them.
+  /// "" if there are none.
+  std::string leftover() const;
 
 private:
   Expected<void> addBeginning(std::string_view bytes);

@@ -10,11 +10,11 @@ namespace voxc {
 
 namespace {
 
-struct PlyPoint {
+struct PlyVoxel {
   std::int32_t position[3];
   std::uint32_t colour;
 };
-static_assert(sizeof(PlyPoint) == 16);
+static_assert(sizeof(PlyVoxel) == 16);
 
 /// The cells of a cube that lie in [0, extent).
 std::uint64_t cellsWithin(const Cube &cube, Int3 extent) {
@@ -47,7 +47,7 @@ Expected<void> writePoints(const Volume &volume, OutputFile &file, const ExportO
                              "property uchar green\nproperty uchar blue\nproperty uchar alpha\nend_header\n";
   Expected<void> written = file.write(header.data(), header.size());
   const auto write = [&](Int3 voxel, std::uint32_t word) {
-    const PlyPoint point{{voxel.x, voxel.y, voxel.z}, word};
+    const PlyVoxel point{{voxel.x, voxel.y, voxel.z}, word};
     written = file.write(&point, sizeof point);
     return bool(written);
   };

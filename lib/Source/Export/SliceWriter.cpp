@@ -125,7 +125,11 @@ Expected<void> writeSlices(const Volume &volume, const std::string &path, const 
     }
   }
   exported.files = static_cast<std::uint64_t>(slices.count());
-  return files ? files->finish() : Expected<void>();
+  if (!files)
+    return {};
+  if (std::string left = files->leftover(); !left.empty())
+    exported.warnings.push_back(std::move(left));
+  return files->finish();
 }
 
 } // namespace voxc

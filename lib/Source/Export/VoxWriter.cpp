@@ -219,6 +219,7 @@ public:
   }
 
   std::uint64_t files() const { return files_.count(); }
+  std::string leftover() const { return files_.leftover(); }
   bool hasNoNumber() const { return hasNoNumber_; }
   bool areLooksWhole() const { return areLooksWhole_; }
 
@@ -281,6 +282,8 @@ Expected<void> writeParts(const Volume &volume, const NumberedPath &path, const 
       VOXC_TRY(files.finish());
       if (!files.areLooksWhole())
         exported.warnings.emplace_back(kLooksInPart);
+      if (std::string left = files.leftover(); !left.empty())
+        exported.warnings.push_back(std::move(left));
       colours.tell(exported);
       exported.files = files.files();
       return {};

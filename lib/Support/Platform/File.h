@@ -16,6 +16,17 @@ enum class PathKind { Nothing, File, Folder, Other };
 /// What stands at a path; `Nothing` too where that cannot be told.
 PathKind kindOf(const std::string &path);
 
+/// Where a name leads.
+struct LinkEnd {
+  std::string path; ///< Of what is there, or is to be made there: no link, but of one that `isOpen`.
+  /// A link of the system to what a process has open, such as /dev/stdout, whatever name that has.
+  bool isOpen = false;
+};
+
+/// Follows symbolic links of a last part, one after another; what is no link leads to itself. Nothing, with
+/// `errno`, where they go around in a circle.
+std::optional<LinkEnd> followLinks(const std::string &path);
+
 struct FileStatus {
   PathKind kind;
   std::uint64_t bytes;
@@ -26,7 +37,8 @@ std::optional<FileStatus> statusOf(int file);
 
 /// Opens what is there, and waits for nobody, such as the other end of a pipe; -1 if that fails.
 int openToRead(const std::string &path);
-/// The same for a pipe or a device, which is written to and stays what it is.
+/// The same for a pipe or a device, which is written to and stays what it is. What is written to a file that
+/// is open comes behind what it has.
 int openToWrite(const std::string &path);
 void close(int file);
 
@@ -45,6 +57,9 @@ bool writeThrough(int file);
 /// At once: what has the name `to` is there until then.
 bool renameOver(const std::string &from, const std::string &to);
 bool removeFile(const std::string &path);
+/// Gives an open file the permissions of the one at `path`, if it is there, and its owner where this process
+/// may do that. False with `errno` if that fails.
+bool takeAccessOf(const std::string &path, int file);
 /// Has a file changed now.
 void touch(const std::string &path);
 

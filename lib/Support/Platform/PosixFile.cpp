@@ -1,9 +1,14 @@
 // Files by POSIX.
 #include "File.h"
 
+#include "Path.h"
+
 #include <cerrno>
+#include <climits>
 #include <fcntl.h>
+#include <linux/magic.h>
 #include <sys/stat.h>
+#include <sys/vfs.h>
 #include <unistd.h>
 
 namespace voxc::platform {
@@ -15,11 +20,43 @@ PathKind kindOf(const struct stat &status) {
                                    : PathKind::Other;
 }
 
+/// As many as the system follows.
+constexpr int kMostLinks = 40;
+
+/// Links of /proc are no names: they have a text, but lead to what a process has open.
+bool isOfProcesses(const std::string &link) {
+  struct statfs system{};
+  return ::statfs(folderOf(link).c_str(), &system) == 0 && system.f_type == PROC_SUPER_MAGIC;
+}
+
+/// What a link says; nothing if there is no link.
+std::optional<std::string> linkAt(const std::string &path) {
+  char text[PATH_MAX];
+  const ssize_t size = ::readlink(path.c_str(), text, sizeof text);
+  return size < 0 ? std::nullopt
+                  : std::optional<std::string>(std::in_place, text, static_cast<std::size_t>(size));
+}
+
 } // namespace
 
 PathKind kindOf(const std::string &path) {
   struct stat status{};
   return ::stat(path.c_str(), &status) == 0 ? kindOf(status) : PathKind::Nothing;
+}
+
+std::optional<LinkEnd> followLinks(const std::string &path) {
+  LinkEnd end{path};
+  for (int links = 0; links <= kMostLinks; ++links) {
+    const auto link = linkAt(end.path);
+    if (!link)
+      return end;
+    end.isOpen = isOfProcesses(end.path);
+    if (end.isOpen)
+      return end;
+    end.path = link->starts_with('/') ? *link : folderOf(end.path) + "/" + *link;
+  }
+  errno = ELOOP;
+  return std::nullopt;
 }
 
 std::optional<FileStatus> statusOf(int file) {
@@ -31,7 +68,10 @@ std::optional<FileStatus> statusOf(int file) {
 
 int openToRead(const std::string &path) { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK); }
 
-int openToWrite(const std::string &path) { return ::open(path.c_str(), O_WRONLY | O_CLOEXEC); }
+int openToWrite(const std::string &path) {
+  const int end = kindOf(path) == PathKind::File ? O_APPEND : 0; // A device would be at its end with that.
+  return ::open(path.c_str(), O_WRONLY | O_CLOEXEC | end);
+}
 
 void close(int file) { ::close(file); }
 
@@ -64,6 +104,15 @@ bool renameOver(const std::string &from, const std::string &to) {
 }
 
 bool removeFile(const std::string &path) { return ::unlink(path.c_str()) == 0; }
+
+bool takeAccessOf(const std::string &path, int file) {
+  struct stat status{};
+  if (::stat(path.c_str(), &status) != 0)
+    return errno == ENOENT; // Someone else has removed it.
+  // Before the permissions, which a new owner may take away. Most processes may not, and own what they make.
+  static_cast<void>(::fchown(file, status.st_uid, status.st_gid) == 0);
+  return ::fchmod(file, status.st_mode & 0777) == 0;
+}
 
 void touch(const std::string &path) { ::utimensat(AT_FDCWD, path.c_str(), nullptr, 0); }
 

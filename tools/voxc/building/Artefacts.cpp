@@ -286,6 +286,17 @@ std::string fileOf(const ArtefactKind &kind, const Generator &generator) {
   return file;
 }
 
+/// Adds a file, once. Error: another one has its name.
+Expected<void> add(Artefact artefact, std::vector<Artefact> &artefacts) {
+  const auto same = std::ranges::find(artefacts, artefact.file, &Artefact::file);
+  if (same == artefacts.end())
+    artefacts.push_back(std::move(artefact));
+  else if (same->contents != artefact.contents)
+    return Error::usage("two of the kinds of --emit would be '" + artefact.file +
+                        "'; write them to two folders");
+  return {};
+}
+
 } // namespace
 
 std::vector<std::string> artefactNames() {
@@ -303,9 +314,10 @@ Expected<std::vector<Artefact>> makeArtefacts(const std::variant<Format, Plan> &
   for (const std::string &name : kinds) {
     const ArtefactKind &kind = findArtefact(name);
     auto contents = VOXC_TRY(kind.make(generator));
-    artefacts.push_back({fileOf(kind, generator), std::move(contents)});
+    VOXC_TRY(add({fileOf(kind, generator), std::move(contents)}, artefacts));
     if (!alone)
-      std::ranges::move(kind.companions(generator), std::back_inserter(artefacts));
+      for (Artefact &companion : kind.companions(generator))
+        VOXC_TRY(add(std::move(companion), artefacts));
   }
   return artefacts;
 }

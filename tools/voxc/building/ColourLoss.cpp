@@ -36,6 +36,8 @@ Expected<std::unique_ptr<RoundedSource>> reduceToPalette(VoxelSource &source, co
 
 Expected<std::unique_ptr<RoundedSource>> asKept(const Volume &volume, VoxelSource &source,
                                                 const Progress &progress) {
+  if (kindOf(volume.layout().payload).isShapeAlone())
+    return std::make_unique<RoundedSource>(source, [](std::uint32_t word) { return word ? kOccupied : 0; });
   if (const Rounding rounding = roundingOf(volume.layout().payload))
     return std::make_unique<RoundedSource>(source, rounding);
   if (volume.info().provenance.find(std::string("colours=") + kReducedColours) != std::string::npos)

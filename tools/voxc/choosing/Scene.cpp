@@ -1,8 +1,8 @@
 // Reading the input of a search.
 #include "choosing/Scene.h"
 
+#include "common/FormatList.h"
 #include "voxc/Layout/Stratum.h"
-#include "voxc/Measure/FormatList.h"
 #include "voxc/Support/Stopwatch.h"
 
 #include <algorithm>
@@ -35,8 +35,8 @@ Expected<Scene> readScene(const std::string &input, const InputArguments &argume
 Expected<std::vector<Candidate>> readCandidates(const std::string &list, const SearchScene &scene) {
   std::vector<std::string> texts;
   if (!list.empty()) {
-    const auto lines = VOXC_TRY(measure::readFormatList(list));
-    for (const measure::FormatLine &line : lines)
+    const auto lines = VOXC_TRY(readFormatList(list));
+    for (const FormatLine &line : lines)
       texts.push_back(line.text);
   }
   return candidatesOf(texts, scene);

@@ -23,7 +23,7 @@ Expected<Scene> readScene(const std::string &input, const InputArguments &argume
                           const std::shared_ptr<WorkingMemory> &memory, const CommonOptions &common,
                           const Progress &progress, Json &figures);
 
-/// The formats of a list (`measure::readFormatList`), as `candidatesOf` takes them; those that voxc suggest
+/// The formats of a list (`readFormatList`), as `candidatesOf` takes them; those that voxc suggest
 /// knows if `list` is "". Errors: those of lists, a line that is no format.
 Expected<std::vector<Candidate>> readCandidates(const std::string &list, const SearchScene &scene);
 

@@ -51,6 +51,7 @@ public:
     auto loaded = VOXC_TRY(volume_.load());
     std::shared_ptr<const Volume> volume = std::make_shared<const Volume>(std::move(loaded));
     ProgressBar bar(common_.quiet);
+    VOXC_TRY(volume_.leaveOtherFrames(output_, common_));
     const auto changed = VOXC_TRY(change(volume, bar.progress()));
     if (changed == 0)
       return Error::usage(

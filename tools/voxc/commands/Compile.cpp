@@ -83,7 +83,7 @@ void CompileCommand::declare(const CommandLine &command) {
       command
           .add("--addressing", addressing_,
                "How the kernel reaches the words: in one buffer, in segments, or as texels")
-          .takes("buffer|segments")
+          .takes("buffer|segments|texels")
           .oneOf(addressingNames())
           .showsDefault();
   const Option loops =

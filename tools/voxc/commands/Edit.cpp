@@ -58,8 +58,9 @@ Expected<VoxelEdit> parseFill(const std::string &text) {
   const std::size_t equals = text.find('=');
   const auto colour = equals == std::string::npos ? std::nullopt : parseColour(text.substr(equals + 1));
   if (!colour || *colour == 0)
-    return Error::usage("'" + text +
-                        "' fills nothing; write X0,Y0,Z0,X1,Y1,Z1=RRGGBB, or --clear to empty a box");
+    return Error::usage(
+        "'" + text +
+        "' fills nothing; write X0,Y0,Z0,X1,Y1,Z1=RRGGBB or =RRGGBBAA, or --clear to empty a box");
   Expected<VoxelEdit> edit = parseBox(text.substr(0, equals));
   if (edit)
     edit->word = *colour;
@@ -91,7 +92,9 @@ struct EditKind {
 constexpr EditKind kKinds[] = {
     {"--clear", "X0,Y0,Z0,X1,Y1,Z1", "Empties the voxels from the first place up to, and without, the second",
      parseClear},
-    {"--fill", "BOX=RRGGBB", "Fills such a box with a colour", parseFill},
+    {"--fill", "BOX=RRGGBB",
+     "Fills such a box with a colour, of 6 digits or 8 (RRGGBBAA); 05000000 is label 5 of a volume of labels",
+     parseFill},
     {"--paste", "W.hvx@X,Y,Z",
      "Puts the voxels of another volume, from this place on; where it is empty nothing changes", parsePaste},
 };
@@ -128,6 +131,8 @@ public:
     auto edits = VOXC_TRY(readEdits());
     if (edits.empty() && !compact_)
       return Error::usage("there is nothing to edit; give --clear, --fill or --paste");
+    if (!common_.quiet)
+      noteEmptyBoxes(edits);
     return journal_ ? addToJournal(edits) : writeVolume(std::move(edits));
   }
 
@@ -145,11 +150,19 @@ private:
     return edits;
   }
 
+  static void noteEmptyBoxes(const std::vector<VoxelEdit> &edits) {
+    for (std::size_t i = 0; i < edits.size(); ++i)
+      if (const Int3 &size = edits[i].size; size.x == 0 || size.y == 0 || size.z == 0)
+        printNote("warning: edit " + std::to_string(i + 1) +
+                  " is of a box without voxels, and changes nothing");
+  }
+
   Expected<void> addToJournal(const std::vector<VoxelEdit> &edits) {
     Expected<EditJournal> journal = EditJournal::open(volume_.path());
     if (!journal)
       return volumeFailure(journal.error());
-    VOXC_TRY(journal->append(edits));
+    const auto options = VOXC_TRY(volume_.loadOptions());
+    VOXC_TRY(journal->append(edits, options, compileCache()));
     Json figures;
     figures["edits"] = edits.size();
     figures["transactions"] = journal->transactions();
@@ -170,8 +183,11 @@ private:
     auto loaded = VOXC_TRY(volume_.loadFile());
     const auto volume = std::make_shared<const Volume>(std::move(loaded));
     if (!framesOf(*volume).empty())
-      return Error::usage("'" + volume_.path() + "' has " + std::to_string(framesOf(*volume).size()) +
-                          " frames, and edits change one; choose it by --frame N");
+      return Error::usage(
+          "'" + volume_.path() + "' has " + std::to_string(framesOf(*volume).size()) +
+          " frames, and edits change one; choose it by --frame N, and a file for that one alone by -o");
+    VOXC_TRY(volume_.leaveOtherFrames(output_, common_));
+    VOXC_TRY(checkEdits(edits, volume->info().extent)); // Alone: its message counts them.
     auto waiting = VOXC_TRY(readJournal(volume_.path()));
     edits.insert(edits.begin(), waiting.begin(), waiting.end());
     if (volume->streams().size() > 1 && !common_.quiet)
@@ -197,11 +213,15 @@ private:
   /// process ends, file and journal fit each other.
   Expected<void> foldIn(EditJournal &journal, const std::shared_ptr<const Volume> &volume,
                         const std::vector<VoxelEdit> &edits, const Progress &progress, Json &figures) const {
-    const std::string folded = output_ + ".folded";
+    std::error_code failure;
+    std::filesystem::path own = output_; // The file itself, where that is a link to it.
+    if (std::filesystem::is_symlink(own, failure))
+      own = std::filesystem::canonical(own, failure);
+    const std::string folded = own.string() + ".folded";
     VOXC_TRY(edit(volume, edits, folded, progress, figures));
     VOXC_TRY(journal.close(folded));
-    std::error_code failure;
-    std::filesystem::rename(folded, output_, failure);
+    std::filesystem::permissions(folded, std::filesystem::status(own, failure).permissions(), failure);
+    std::filesystem::rename(folded, own, failure);
     if (failure)
       return Error::environment("cannot write '" + output_ + "': " + failure.message());
     std::filesystem::remove(journalPathOf(volume_.path()), failure);

@@ -4,6 +4,7 @@
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 #include "options/BuildArguments.h"
+#include "options/Figures.h"
 #include "program/Subcommand.h"
 
 #include <cstdio>
@@ -49,7 +50,8 @@ public:
     Json figures;
     auto suggestion = VOXC_TRY(makeSuggestion(request_, common_, bar.progress(), figures));
     bar.clear();
-    std::fputs(suggestReport(suggestion, all_).c_str(), stdout);
+    if (tellsOnStdout(common_))
+      std::fputs(suggestReport(suggestion, all_).c_str(), stdout);
     addSuggestFigures(figures, suggestion);
     return writeStatistics(common_.stats, figures);
   }

@@ -119,7 +119,7 @@ Expected<void> VerifyCommand::checkVoxels(const std::shared_ptr<const Volume> &v
 
   printDifferences(found);
   figures_["voxel_differences"] = differenceFigures(found);
-  if (kept) {
+  if (kept && !kindOf(volume->layout().payload).isShapeAlone()) {
     const ColourError error = kept->error();
     figures_["colour_error"] = errorFigures(error);
     if (tellsOnStdout(common_))

@@ -8,6 +8,8 @@
 #include "options/Outputs.h"
 #include "voxc/IR/Query.h"
 
+#include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace voxc::tool {
@@ -51,6 +53,14 @@ Json frameFigures(const FileCamera &camera, double seconds, const std::optional<
   return frame;
 }
 
+/// What stands behind the last colon of a source that is no path alone: files may have colons in their names.
+std::string nameIn(const std::string &source) {
+  constexpr std::string_view kKinds[] = {"builtin:", "grid:", "raw:"};
+  const bool isPath =
+      std::ranges::none_of(kKinds, [&](std::string_view kind) { return source.starts_with(kind); });
+  return isPath ? source : source.substr(source.rfind(':') + 1);
+}
+
 } // namespace
 
 void RenderSession::declare(const CommandLine &command) {
@@ -58,7 +68,8 @@ void RenderSession::declare(const CommandLine &command) {
       .add("-o,--output", output_,
            "Picture to write, as " + pictureEndings() +
                "; the default is named after the input and the style")
-      .takes("PICTURE");
+      .takes("PICTURE")
+      .notEmpty();
   addPictureOptions(command, picture_);
   addClipOptions(command, clip_);
   flight_.declare(command);
@@ -73,7 +84,7 @@ void RenderSession::declare(const CommandLine &command) {
 
 Expected<void> RenderSession::check(const std::string &source, const CommonOptions &common) {
   if (output_.empty()) {
-    const std::string stem = stemOfNumbered(source.substr(source.rfind(':') + 1));
+    const std::string stem = stemOfNumbered(nameIn(source));
     output_ = (stem.empty() ? "picture" : stem) + "-" + std::string(toString(styleOf(picture_))) +
               (flight_.isGiven() ? "-###.png" : ".png");
   }

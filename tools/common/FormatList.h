@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace voxc::measure {
+namespace voxc::tool {
 
 /// A line of a list. The format is a text that may be wrong: its cell then fails.
 struct FormatLine {
@@ -22,4 +22,4 @@ struct FormatLine {
 /// a line of more than 4,096 characters or with control characters, more than 10,000 formats.
 Expected<std::vector<FormatLine>> readFormatList(const std::string &argument);
 
-} // namespace voxc::measure
+} // namespace voxc::tool

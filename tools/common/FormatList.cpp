@@ -1,12 +1,12 @@
 // Reading lists of formats.
-#include "voxc/Measure/FormatList.h"
+#include "common/FormatList.h"
 
 #include "voxc/Support/File.h"
 
 #include <algorithm>
 #include <string_view>
 
-namespace voxc::measure {
+namespace voxc::tool {
 namespace {
 
 constexpr std::size_t kMaxLine = 4096;
@@ -70,4 +70,4 @@ Expected<std::vector<FormatLine>> readFormatList(const std::string &argument) {
   return parseList(*text, '\n', argument);
 }
 
-} // namespace voxc::measure
+} // namespace voxc::tool

@@ -1,5 +1,5 @@
 // The content of an input, with the files that it refers to.
-#include "voxc/Measure/InputContent.h"
+#include "jobs/InputContent.h"
 
 #include "voxc/Input/NumberedPaths.h"
 #include "voxc/Measure/Digest.h"
@@ -13,7 +13,7 @@
 #include <span>
 #include <string_view>
 
-namespace voxc::measure {
+namespace voxc::tool {
 namespace {
 
 namespace fs = std::filesystem;
@@ -140,7 +140,7 @@ Expected<std::vector<ContentFile>> contentFiles(const std::string &input) {
 }
 
 Expected<std::string> contentDigest(const std::string &input) {
-  Digest digest;
+  measure::Digest digest;
   if (input.starts_with("builtin:"))
     return digest.add(input).hex();
   const auto files = VOXC_TRY(contentFiles(input));
@@ -151,4 +151,4 @@ Expected<std::string> contentDigest(const std::string &input) {
   return digest.hex();
 }
 
-} // namespace voxc::measure
+} // namespace voxc::tool

@@ -1,6 +1,5 @@
-// Lists of formats, and digests.
-#include "voxc/Measure/FormatList.h"
-#include "voxc/Measure/Digest.h"
+// Lists of formats.
+#include "common/FormatList.h"
 
 #include "voxc/Support/File.h"
 
@@ -9,7 +8,7 @@
 
 #include <filesystem>
 
-namespace voxc::measure {
+namespace voxc::tool {
 namespace {
 
 using testing::ElementsAre;
@@ -68,21 +67,5 @@ TEST(FormatList, tellsThatThereIsNoSuchFile) {
   EXPECT_THAT(list.error().message, HasSubstr("neither a format nor a list"));
 }
 
-TEST(Digest, tellsPartsApart) {
-  EXPECT_EQ(Digest().add("ab").add("c").hex(), Digest().add("ab").add("c").hex());
-  EXPECT_NE(Digest().add("ab").add("c").hex(), Digest().add("a").add("bc").hex());
-  EXPECT_EQ(Digest().add("ab").hex().size(), 16u);
-}
-
-TEST(Digest, takesTheContentOfAFile) {
-  const std::string path = testing::TempDir() + "voxc-digest";
-  ASSERT_TRUE(writeFile(path, "ab"));
-  Digest digest;
-  ASSERT_TRUE(digest.addFile(path));
-  EXPECT_EQ(digest.hex(), Digest().add("ab").hex());
-  std::filesystem::remove(path);
-  EXPECT_FALSE(digest.addFile(path));
-}
-
 } // namespace
-} // namespace voxc::measure
+} // namespace voxc::tool

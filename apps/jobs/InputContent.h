@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace voxc::measure {
+namespace voxc::tool {
 
 /// A file of an input, and the name by which the input refers to it.
 struct ContentFile {
@@ -26,4 +26,4 @@ std::string fileOf(const std::string &input);
 /// cannot be read.
 Expected<std::string> contentDigest(const std::string &input);
 
-} // namespace voxc::measure
+} // namespace voxc::tool
