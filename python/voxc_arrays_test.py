@@ -1,4 +1,5 @@
 """Tests of lists of voxels, of arrays of others, and of what notebooks show: python3 -m unittest voxc_arrays_test"""
+import ctypes
 import inspect
 import pathlib
 import re
@@ -160,6 +161,12 @@ class Arrays(unittest.TestCase):
         self.assertRaisesRegex(voxc.UsageError, "changes what a volume stores", volume.tracer, "cpu", passes="palette=4")
         self.assertRaisesRegex(voxc.UsageError, "leaves no choice", volume.tracer, "cpu", query="any", outputs="voxel")
         self.assertRaisesRegex(ValueError, "has no formats", voxc.suggest, "builtin:full:8", formats=[])
+
+    def test_options_without_a_size_are_told(self):
+        library, volume = voxc._library, voxc.build("G(3)", "builtin:full:8")
+        options, tracer = library.TracerOptions(device=b"no such device"), ctypes.c_void_p()
+        with self.assertRaisesRegex(voxc.UsageError, "struct_size of options is 0; begin them with their macro"):
+            library.check(library.lib.voxc_tracer_create(volume._handle, ctypes.byref(options), ctypes.byref(tracer)))
 
     def test_functions_of_bool_are_white(self):
         volume = voxc.build("G(3)", voxel=lambda x, y, z: x < 2, extent=(4, 1, 1))

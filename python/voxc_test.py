@@ -195,7 +195,7 @@ class Building(unittest.TestCase):
                 voxc.build("G(1)", **given)
         with self.assertRaisesRegex(TypeError, "passes is for formats that are texts"):
             voxc.build(voxc.Format("G(1)"), voxels=solid, passes="values-apart")
-        with self.assertRaisesRegex(ValueError, "extent is voxels along x, y and z"):
+        with self.assertRaisesRegex(ValueError, "extent is three whole numbers of 32 bits, along x, y and z, and not"):
             voxc.build("G(1)", voxel=lambda x, y, z: 1, extent=(2, 2))
 
     def test_what_a_function_raises_is_raised(self):

@@ -138,12 +138,12 @@ class Volume:
     def read(self, low: Sequence[int] = (0, 0, 0), size: Optional[Sequence[int]] = None) -> np.ndarray:
         """The words of a box of voxels as an array [z, y, x]; `low` and `size` are of x, y and z. Without `size`: all that
         is behind `low`."""
-        low = c.int3(low, "low")
-        size = c.int3(size if size is not None else [end - begin for begin, end in zip(low, self.extent)], "size")
-        if min(size) < 0:
-            raise ValueError(f"a box has sizes from 0 up, not {tuple(size)}")
-        words = np.empty(tuple(size)[::-1], np.uint32)
-        c.check(c.lib.voxc_volume_read(self._handle, low, size, words.ctypes.data))
+        first = c.int3(low, "low")
+        sides = c.int3([end - begin for begin, end in zip(first, self.extent)] if size is None else size, "size")
+        if min(sides) < 0:
+            raise ValueError(f"a box has sizes from 0 up, not {tuple(sides)}")
+        words = np.empty(tuple(sides)[::-1], np.uint32)
+        c.check(c.lib.voxc_volume_read(self._handle, first, sides, words.ctypes.data))
         return words
 
     def points(self, words: bool = False) -> Points:
