@@ -14,9 +14,8 @@
 //     #define VOXC_VOLUME uint
 //     #define VOXC_LOAD(volume, index) volumes[volume].Load(4u * (index))
 //
-// Rays are in voxels; a direction may have any length, and t counts in it. All that this text leaves behind has a name
-// that
-// begins with voxc_r4_4_4_g8_, make_voxc_format_ or VOXC_R4_4_4_G8_.
+// Rays are in voxels; a direction may have any length, and t counts in it. What this text leaves behind has
+// names that begin with voxc_r4_4_4_g8_ or VOXC_R4_4_4_G8_, or with make_ before the first of these.
 #ifndef VOXC_R4_4_4_G8_HLSL
 #define VOXC_R4_4_4_G8_HLSL
 
