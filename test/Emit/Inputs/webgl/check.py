@@ -18,7 +18,7 @@ D(3^3,15) M(2^3) --octant-distances --df-packing --share-grids --values-apart
 H(3^3) M(2^3) --share-grids --short-pointers
 M(1^3) M(2^3) M(2^3) --palette --share-grids --values-apart
 R(1^3) G(4) --values-apart --palette=4
-R(2^3) G(0) G(3) --granules=4
+R(2^3) G(0) G(3) --granules
 G(5) --rgb565
 G(5) --material
 G(5) --occupancy
