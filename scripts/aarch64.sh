@@ -3,8 +3,8 @@
 # others to link, and volumes and hits, which must be those that VOXC (default: build/release/bin/voxc) makes here, byte for byte.
 #
 # Rays go in packets of four, a register of NEON for each value. There is no Vulkan driver in qemu: tests of devices skip themselves, and are
-# counted. Words.* of Construct are left to scripts/compilers-words.sh, which compares all 520 of them, and three tests that take half an hour
-# each, or longer, to a call by hand; they pass. On two cores volumes and hits take 5 minutes, Trace 17 on one, Oracle 6, Construct an hour.
+# counted. Words.* of Construct are left to scripts/compilers-words.sh, which compares all 520 of them, and three tests of 17 to 40 minutes to
+# a call by hand; they pass. On two cores volumes and hits take 5 minutes, Trace 17 on one, Oracle 6; Construct, which compiles most, longer.
 cd "$(dirname "$0")/.."
 source scripts/lib.sh
 

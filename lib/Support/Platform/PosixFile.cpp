@@ -111,7 +111,11 @@ bool takeAccessOf(const std::string &path, int file) {
     return errno == ENOENT; // Someone else has removed it.
   // Before the permissions, which a new owner may take away. Most processes may not, and own what they make.
   static_cast<void>(::fchown(file, status.st_uid, status.st_gid) == 0);
-  return ::fchmod(file, status.st_mode & 0777) == 0;
+  struct stat own{};
+  // Some file systems have one set of permissions for all files, and refuse to be given any.
+  constexpr mode_t kPermissions = 0777;
+  return (::fstat(file, &own) == 0 && ((own.st_mode ^ status.st_mode) & kPermissions) == 0) ||
+         ::fchmod(file, status.st_mode & kPermissions) == 0;
 }
 
 void touch(const std::string &path) { ::utimensat(AT_FDCWD, path.c_str(), nullptr, 0); }
