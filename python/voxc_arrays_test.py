@@ -150,12 +150,14 @@ class Arrays(unittest.TestCase):
         volume = voxc.build("G(3)", voxels=np.ones((8, 8, 8), bool))
         for call in (lambda: volume.read((0, 0), (2, 2)), lambda: volume.read((0, 0, 0), (3, 3)), lambda: volume.read((2**32, 0, 0), (2, 2, 2)),
                      lambda: voxc.build("G(3)", places=[[1, 1, 1]], extent=(2**32 + 8, 8, 8)),
-                     lambda: voxc.build("G(5)", "builtin:menger", resolution=2**32 + 27), lambda: list(volume.chunks(0))):
+                     lambda: voxc.build("G(5)", "builtin:menger", resolution=2**32 + 27),
+                     lambda: voxc.build("G(5)", "builtin:menger", resolution=np.int64(2**32 + 27)), lambda: list(volume.chunks(0))):
             self.assertRaises(ValueError, call)
         editable = voxc.Editable(volume)
         for call in (lambda: editable.set_box((1, 2), (4, 5), 0), lambda: editable.set_box((0, 0, 0), (1, 1, 1), 2**32),
                      lambda: editable.set_box((0, 0, 0), (1, 1, 1), -1), lambda: editable.apply((0, 0, 0), (1, 1, 1), lambda *_: 1.7),
-                     lambda: editable.set_sphere((4, 4, 4), -2, 0), lambda: editable.set_sphere((4, 4, 4), 2.5, 0)):
+                     lambda: editable.set_sphere((4, 4, 4), -2, 0), lambda: editable.set_sphere((4, 4, 4), 2.5, 0),
+                     lambda: editable.set_sphere((4, 4, 4), 2**20 + 1, 0), lambda: editable.set_sphere((4, 4, 4), float("inf"), 0)):
             self.assertRaises(ValueError, call)
         self.assertEqual(editable.voxels, 512)
         self.assertRaisesRegex(voxc.UsageError, "changes what a volume stores", volume.tracer, "cpu", passes="palette=4")

@@ -237,8 +237,8 @@ Expected<void> SearchCommand::run() {
   progress_ = bar.progress();
   memory_ = makeWorkingMemory(options_.building);
   Json figures;
-  Expected<Scene> scene =
-      readScene(options_.input, options_.inputArguments, memory_, options_.common, bounded(), figures);
+  Expected<Scene> scene = readScene(options_.input, sceneOptions(options_.inputArguments, memory_, bounded()),
+                                    options_.common, figures);
   if (!scene)
     return isOutOfTime(scene.error()) ? tooShort("the input was read") : scene.error();
   return search(*scene, figures);

@@ -36,7 +36,7 @@ std::string describe(const Brush &brush) {
     return name + " what was copied";
   std::snprintf(text.data(), text.size(), "%s a %s of %d voxels", name.c_str(),
                 brush.isBox ? "box" : "sphere", brush.side());
-  const std::string what = text.data();
+  std::string what = text.data();
   if (brush.kind == BrushKind::Erase)
     return what;
   std::snprintf(text.data(), text.size(), ", #%02x%02x%02x", brush.colour & 255, brush.colour >> 8 & 255,

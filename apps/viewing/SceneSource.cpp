@@ -144,6 +144,7 @@ Expected<view::Model> SceneSource::suggestModel(const CommonOptions &common, con
   request.memory = makeWorkingMemory(building_);
   request.wish.maxBytes = kMaxWords * sizeof(std::uint32_t);
   request.editable = withoutFrame(input_).ends_with(".vox"); // It may be an animation.
+  request.hasAllFrames = request.editable;
   Json figures;
   CommonOptions quietly = common;
   quietly.quiet = true;

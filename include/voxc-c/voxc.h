@@ -212,7 +212,7 @@ VOXC_API void voxc_editable_free(voxc_editable *editable);
 /* Voxels from `low` on, `size` along each axis. */
 VOXC_API voxc_error *voxc_editable_set_box(voxc_editable *editable, const int32_t low[3],
                                            const int32_t size[3], uint32_t word);
-/* Voxels whose centre is no farther than `radius` from that of the voxel `centre`. */
+/* Voxels whose centre is no farther than `radius`, 0 to 2^20, from that of the voxel `centre`. */
 VOXC_API voxc_error *voxc_editable_set_sphere(voxc_editable *editable, const int32_t centre[3],
                                               int32_t radius, uint32_t word);
 /* A list, as voxc_build_voxels takes it. Errors: a place below 0 or from 2^21 on. */

@@ -49,8 +49,9 @@ voxc_error *voxc_editable_set_box(voxc_editable *editable, const int32_t low[3],
 voxc_error *voxc_editable_set_sphere(voxc_editable *editable, const int32_t centre[3], int32_t radius,
                                      uint32_t word) {
   return guarded([&]() -> Expected<void> {
-    if (radius < 0)
-      return Error::usage("the radius of a sphere is 0 or more, not " + std::to_string(radius));
+    if (radius < 0 || radius > kMostSphereRadius)
+      return Error::usage("the radius of a sphere is 0 to " + std::to_string(kMostSphereRadius) + ", not " +
+                          std::to_string(radius));
     return edit(editable, makeSphereChange(int3(centre), radius, word));
   });
 }

@@ -41,7 +41,8 @@ Expected<void> VolumeBuild::openFile() {
     auto writer = VOXC_TRY(PagedFileWriter::create(options_.path));
     pagedWriter_.emplace(std::move(writer));
   }
-  if (!OutputFile::isRegularAt(options_.path))
+  const bool isRegular = VOXC_TRY(OutputFile::isRegularAt(options_.path));
+  if (!isRegular)
     return {}; // It takes the words once they are complete, and is opened then, once.
   // Compressed, the words lie there until they are complete; no name is given to this file then.
   auto writer = VOXC_TRY(VolumeFileWriter::create(options_.path, info_));

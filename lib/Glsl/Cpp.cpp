@@ -23,15 +23,11 @@ std::string Cpp::beforeLocal(const std::string &qualifiers) const {
 }
 
 std::string Cpp::beforeGlobal(const std::string &qualifiers) const {
-  return qualifiers == "const" ? "static inline const " : Printer::beforeGlobal(qualifiers);
+  return qualifiers == "const" ? beforeConstant() : Printer::beforeGlobal(qualifiers);
 }
 
 std::string CppHeader::beforeFunction(const Declaration &function) const {
   return function.isSeldom ? "[[gnu::noinline, gnu::cold, maybe_unused]] static " : "static inline ";
-}
-
-std::string CppHeader::beforeGlobal(const std::string &qualifiers) const {
-  return Printer::beforeGlobal(qualifiers);
 }
 
 } // namespace voxc::glsl

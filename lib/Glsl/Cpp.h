@@ -16,13 +16,15 @@ protected:
   /// C++ is compiled so that nothing is contracted or reordered: it has no word for `precise`.
   std::string beforeLocal(const std::string &qualifiers) const override;
   std::string beforeGlobal(const std::string &qualifiers) const override;
+  /// What stands before a constant.
+  virtual std::string beforeConstant() const { return "static inline const "; }
 };
 
 /// The same as functions of a namespace.
 class CppHeader : public Cpp {
 protected:
   std::string beforeFunction(const Declaration &function) const override;
-  std::string beforeGlobal(const std::string &qualifiers) const override;
+  std::string beforeConstant() const override { return "const "; }
 };
 
 } // namespace voxc::glsl

@@ -65,7 +65,7 @@ bool Parser::beginsDeclaration() const {
 }
 
 /// The names of a type, up to the end of the statement.
-std::vector<Variable> Parser::variables(std::string type) {
+std::vector<Variable> Parser::variables(const std::string &type) {
   std::vector<Variable> variables;
   do {
     Variable variable = {type, word("a name")};

@@ -49,7 +49,7 @@ private:
   Statement loop(Statement statement);
   Statement count(Statement statement);
   bool beginsDeclaration() const;
-  std::vector<Variable> variables(std::string type);
+  std::vector<Variable> variables(const std::string &type);
   void end(Notes &notes);
 
   // Expressions.

@@ -72,7 +72,7 @@ std::string Wgsl::type(const std::string &name) const {
 std::string Wgsl::typeOf(const Variable &variable) const {
   std::string type = this->type(variable.type);
   for (auto size = variable.sizes.rbegin(); size != variable.sizes.rend(); ++size)
-    type = "array<" + type + ", " + text(*size) + ">";
+    type.insert(0, "array<").append(", ").append(text(*size)).append(">");
   return type;
 }
 
@@ -83,6 +83,7 @@ std::string Wgsl::parameter(const Parameter &parameter) const {
 
 std::string Wgsl::head(const Declaration &function) const {
   std::vector<std::string> parameters;
+  parameters.reserve(function.parameters.size());
   for (const Parameter &one : function.parameters)
     parameters.push_back(parameter(one));
   const std::string result = function.type == "void" ? "" : " -> " + type(function.type);
@@ -165,11 +166,13 @@ std::string Wgsl::call(const Expression &call) const {
     return "!" + text(operands[0], kPrefixRank);
   if (const auto found = functions_.find(call.text); found != functions_.end()) {
     std::vector<std::string> arguments;
+    arguments.reserve(operands.size());
     for (std::size_t i = 0; i < operands.size(); ++i)
       arguments.push_back(argument(operands[i], found->second->parameters[i]));
     return call.text + "(" + joined(arguments) + ")";
   }
   std::vector<std::string> arguments; // Of a function of the language all have one type.
+  arguments.reserve(operands.size());
   const bool isBuiltin = !builtinType(call.text, call.type).empty();
   for (const Expression &operand : operands)
     arguments.push_back(isBuiltin ? beside(operand, call.type, kAssignmentRank) : alone(operand));

@@ -43,8 +43,8 @@ void add(std::string &text, std::string line) {
     const std::size_t at = isComment ? breakOfComment(line, least + 3) : breakOfCode(line, least);
     if (at == std::string::npos)
       break;
-    text += line.substr(0, at) + "\n";
-    line = next + line.substr(at + 1);
+    text.append(line, 0, at).append("\n");
+    line.replace(0, at + 1, next);
   }
   text += line + "\n";
 }

@@ -52,14 +52,14 @@ bool readInfo(png_structp png, png_infop info) {
 void setTransforms(png_structp png, const PngHeader &header, PngForm form) {
   if (header.isGrey) {
     png_set_packing(png); // Of fewer bits each takes a byte, and stays the number that it is.
-    if (header.isWide && std::endian::native == std::endian::little)
+    if (header.isWide() && std::endian::native == std::endian::little)
       png_set_swap(png);
     return;
   }
   png_set_expand(png);
   if (form == PngForm::Texels)
     png_set_alpha_mode(png, PNG_ALPHA_PNG, PNG_DEFAULT_sRGB);
-  if (header.isWide)
+  if (header.isWide())
     png_set_scale_16(png);
   if (!header.hasColour)
     png_set_gray_to_rgb(png);
@@ -112,7 +112,7 @@ PngHeader headerOf(png_structp png, png_infop info, PngForm form) {
   header.hasColour = (kind & PNG_COLOR_MASK_COLOR) != 0;
   header.hasAlpha = (kind & PNG_COLOR_MASK_ALPHA) != 0 || png_get_valid(png, info, PNG_INFO_tRNS) != 0;
   header.isGrey = form == PngForm::Samples && !header.hasColour && !header.hasAlpha;
-  header.isWide = png_get_bit_depth(png, info) == 16;
+  header.bits = png_get_bit_depth(png, info);
   png_uint_32 x = 0, y = 0;
   int unit = 0;
   if (png_get_pHYs(png, info, &x, &y, &unit) != 0)

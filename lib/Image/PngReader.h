@@ -24,12 +24,13 @@ struct PngHeader {
   bool hasColour = false;
   bool hasAlpha = false;
   bool isGrey = false;                 ///< It is decoded to samples: it has neither colour nor alpha.
-  bool isWide = false;                 ///< It has 16 bits a channel.
+  unsigned bits = 8;                   ///< Of a channel in the file.
   bool hasFrames = false;              ///< It is an animation, of which the first picture is decoded.
   std::array<double, 2> pixelsAUnit{}; ///< Of width and height, of some length; 0: it does not say.
   std::uint64_t bytesBehind = 0;       ///< Bytes behind the picture.
 
-  std::size_t rowBytes() const { return std::size_t{width} * (!isGrey ? 4 : isWide ? 2 : 1); }
+  bool isWide() const { return bits == 16; }
+  std::size_t rowBytes() const { return std::size_t{width} * (!isGrey ? 4 : isWide() ? 2 : 1); }
 };
 
 class PngReader {

@@ -26,15 +26,19 @@ std::string digitsOf(std::uint32_t word) {
   return text.data();
 }
 
+bool has(const std::string &provenance, const std::string &word) {
+  return (" " + provenance + " ").find(" " + word + " ") != std::string::npos;
+}
+
 /// Was the same done with the inside of a volume when it was built?
 bool isSaid(const std::string &provenance, Interior interior) {
-  return (" " + provenance + " ").find(interior == Interior::Drop ? " interior=drop " : " interior=fill ") !=
-         std::string::npos;
+  return has(provenance, interior == Interior::Drop ? "interior=drop" : "interior=fill");
 }
 
 Expected<void> changeInside(Input &input, const InputOptions &options) {
   constexpr std::uint32_t kMostLabel = 0xffff;
-  if (options.interior == Interior::Fill && options.colourMap == "labels" && options.fillWord > kMostLabel)
+  if (options.interior == Interior::Fill && has(input.provenance, "colour-map=labels") &&
+      options.fillWord > kMostLabel)
     return Error::usage("the inside of labels is filled with a label, its four bytes from the lowest on: "
                         "--fill-colour 05000000 is label 5");
   const Stopwatch finding;

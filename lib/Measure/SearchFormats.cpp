@@ -127,6 +127,7 @@ Expected<FormatTable> search(const SearchScene &scene, std::vector<Candidate> se
                              const measure::TimeBudget &budget, const Progress &progress) {
   std::vector<measure::MeasuredSet> sets = setsOf(scene, question);
   std::vector<std::string> names;
+  names.reserve(sets.size());
   for (const measure::MeasuredSet &set : sets)
     names.push_back(set.part.name);
   const Error none = explainNone(seeds, scene);

@@ -108,6 +108,7 @@ public:
         ask("best below " + powerText(bytes), best, bytes);
     ask("fastest", frontier_.size() - 1, all_.back().bytes);
     std::vector<SizeTime> points;
+    points.reserve(frontier_.size());
     for (const Finalist &finalist : frontier_)
       points.push_back({finalist.bytes, 1000 / finalist.mraysPerS});
     const std::size_t balanced = choose(points, Wish::Objective::Balanced).value_or(0);
@@ -169,6 +170,7 @@ std::string placeOf(const Record &cell) {
 
 std::vector<std::string> digestsOf(const auto &cells) {
   std::vector<std::string> digests;
+  digests.reserve(cells.size());
   for (const Record *cell : cells)
     digests.push_back(cell->cell);
   std::ranges::sort(digests);
@@ -177,6 +179,7 @@ std::vector<std::string> digestsOf(const auto &cells) {
 
 Json toJson(const Finalist &finalist) {
   std::vector<std::string> cells;
+  cells.reserve(finalist.cells.size());
   for (const Record *cell : finalist.cells)
     cells.push_back(cell->cell);
   return {{"name", finalist.name},

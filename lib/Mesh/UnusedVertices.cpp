@@ -67,6 +67,7 @@ std::string saysUnused(std::uint64_t vertices) {
 
 Expected<void> warnOfUnused(TriangleScene &scene, const MeshInput &input) {
   std::vector<const MeshPart *> parts;
+  parts.reserve(scene.parts.size());
   for (const MeshPart &part : scene.parts)
     parts.push_back(&part);
   std::ranges::sort(parts, {}, [](const MeshPart *part) { return keyOf(*part); });

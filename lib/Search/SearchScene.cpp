@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 namespace voxc {
 namespace {
@@ -43,11 +44,12 @@ Expected<SearchScene> readWith(SceneDag::Detail detail, const std::string &name,
   const auto look = [&](std::span<const std::uint32_t> cells) { values.add(cells); };
   auto dag = VOXC_TRY(SceneDag::build(
       *source, {.detail = detail, .mostNodes = memory->bound() / kNodeBytes, .look = look}, progress));
-  const bool hasColours = detail == SceneDag::Detail::Colours;
-  SceneDag shape = hasColours ? dag.shape() : std::move(dag);
+  std::optional<SceneDag> colours;
+  if (detail == SceneDag::Detail::Colours)
+    colours = std::exchange(dag, dag.shape());
   return finish(name,
-                {.shape = std::move(shape),
-                 .colours = hasColours ? std::optional(std::move(dag)) : std::nullopt,
+                {.shape = std::move(dag),
+                 .colours = std::move(colours),
                  .extent = source->extent(),
                  .voxelToModel = source->voxelToModel(),
                  .traits = {}},

@@ -61,10 +61,12 @@ public:
       : centre_(centre), squared_(radius < 0 ? -1 : std::int64_t{radius} * radius), word_(word) {}
 
   CubeChange of(const Cube &cube) override {
-    std::int64_t nearest = 0, farthest = 0;
+    std::int64_t nearest = 0, farthest = 0; // Sums of three squares below 2^60, by the two limits.
     for (int axis = 0; axis < 3; ++axis) {
       const std::int64_t low = std::int64_t{cube.low[axis]} - centre_[axis], high = low + cube.side() - 1;
       const std::int64_t near = low > 0 ? low : high < 0 ? -high : 0, far = std::max(-low, high);
+      if (near > kMostSphereRadius)
+        return {};
       nearest += near * near;
       farthest += far * far;
     }

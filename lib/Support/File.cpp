@@ -71,9 +71,11 @@ MappedFile &MappedFile::operator=(MappedFile &&other) noexcept {
   return *this;
 }
 
-bool OutputFile::isRegularAt(const std::string &path) {
+Expected<bool> OutputFile::isRegularAt(const std::string &path) {
   const auto end = platform::followLinks(path);
-  return end && !end->isOpen && platform::kindOf(path) != PathKind::Other;
+  if (!end)
+    return Error::environment("cannot write '" + path + "': " + reason());
+  return !end->isOpen && platform::kindOf(path) != PathKind::Other;
 }
 
 Expected<OutputFile> OutputFile::create(const std::string &path) {

@@ -44,6 +44,12 @@ std::string lowerCase(std::string_view text) {
   return result;
 }
 
+std::string printable(std::string_view text) {
+  std::string printed(text);
+  std::ranges::replace_if(printed, [](unsigned char c) { return c < ' ' || c == 127; }, '?');
+  return printed;
+}
+
 std::string counted(std::uint64_t count, std::string_view noun) {
   return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
 }

@@ -20,6 +20,9 @@ std::string_view trimmed(std::string_view text);
 /// `text` with small letters for its capital ones.
 std::string lowerCase(std::string_view text);
 
+/// `text` with a question mark for each control character: messages are of one line, and go to terminals.
+std::string printable(std::string_view text);
+
 /// "1 point" or "2 points", of a word that takes an s; and "1 point is" or "2 points are".
 std::string counted(std::uint64_t count, std::string_view noun);
 std::string countedAre(std::uint64_t count, std::string_view noun);

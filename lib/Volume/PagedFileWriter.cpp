@@ -87,7 +87,8 @@ std::uint64_t pagesOf(std::span<const Stream> streams, std::uint64_t pageBytes) 
 } // namespace
 
 Expected<PagedFileWriter> PagedFileWriter::create(const std::string &path) {
-  if (!OutputFile::isRegularAt(path))
+  const bool isRegular = VOXC_TRY(OutputFile::isRegularAt(path));
+  if (!isRegular)
     return Error::input("'" + path +
                         "' is no regular file, and a compressed volume can be written to such a one only");
   auto file = VOXC_TRY(OutputFile::create(path));

@@ -6,6 +6,7 @@
 #include "StreamTable.h"
 #include "VolumeFile.h"
 
+#include "Support/Platform/File.h"
 #include "Support/Platform/Path.h"
 #include "voxc/Support/File.h"
 
@@ -79,13 +80,8 @@ Expected<void> Volume::chooseFrame(int number) {
 
 /// A volume that links lead to has the one journal of its own name.
 std::string journalPathOf(const std::string &volumePath) {
-  constexpr const char *kEnding = ".journal";
-  const std::filesystem::path path = platform::pathFrom(volumePath);
-  std::error_code failure;
-  if (!std::filesystem::is_symlink(path, failure))
-    return volumePath + kEnding;
-  const std::filesystem::path own = std::filesystem::weakly_canonical(path, failure);
-  return (failure ? volumePath : platform::utf8From(own)) + kEnding;
+  const auto end = platform::followLinks(volumePath);
+  return (end ? end->path : volumePath) + ".journal";
 }
 
 Expected<void> checkNoJournal(const std::string &volumePath) {

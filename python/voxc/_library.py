@@ -215,7 +215,8 @@ def options(kind, **members):
     for name, value in members.items():
         if value is not None:
             setattr(made, name, value)
-            if isinstance(value, int) and getattr(made, name) != value:  # ctypes takes the low bits of what is too large.
+            taken = getattr(made, name)
+            if isinstance(taken, int) and taken != value:  # ctypes takes the low bits of what is too large.
                 raise ValueError(f"{name} cannot be {value}")
     return made
 

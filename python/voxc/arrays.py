@@ -70,7 +70,7 @@ def densities_of(densities, threshold, window=None):
     solid = densities >= (threshold if densities.dtype.kind == "f" else math.ceil(threshold))  # Whole numbers may have more digits.
     if not solid.any():
         raise ValueError(f"no density reaches the threshold {threshold}; they are {densities.min()} to {densities.max()}")
-    low, high = (threshold, float(densities.max())) if window is None else ends_of(window)
+    low, high = (float(threshold), float(densities.max())) if window is None else ends_of(window)
     scaled = (np.clip(densities.astype(np.float64), low, high) - low) / (high - low if high > low else 1)
     grey = np.rint(scaled * 255).astype(np.uint32)
     return np.where(solid, grey * np.uint32(0x010101) | ALPHA, np.uint32(0))

@@ -44,8 +44,8 @@ class Editable:
 
     def set_sphere(self, centre: Sequence[int], radius: int, word: int) -> None:
         """Voxels whose centre is no farther than `radius` voxels, a whole number, from that of the voxel `centre` become `word`."""
-        if radius != int(radius) or not 0 <= radius < 2**31:
-            raise ValueError(f"the radius of a sphere is a whole number from 0 up, not {radius}")
+        if not 0 <= radius <= 2**20 or radius != int(radius):
+            raise ValueError(f"the radius of a sphere is a whole number from 0 to {2**20}, not {radius}")
         c.check(c.lib.voxc_editable_set_sphere(self._handle, c.int3(centre, "centre"), int(radius), arrays.word_of(word)))
 
     def set_voxels(self, places: Any, words: Any) -> None:

@@ -141,7 +141,8 @@ Expected<Expectation> expect(const Machine &machine, const Calibration &calibrat
   const auto plan = VOXC_TRY(makePlan(askedFormat(stage.place, situation), kCpuPlan));
   const Simulated simulated(machine, stage, plan);
   Expectation expected;
-  const auto lanes = static_cast<double>((all.plain.size() + kLanes - 1) / kLanes * kLanes);
+  const std::size_t packets = (all.plain.size() + kLanes - 1) / kLanes;
+  const auto lanes = static_cast<double>(packets * kLanes);
   const auto count = static_cast<double>(all.plain.size());
   double ray = 0;
   if (situation.instances > 0) {

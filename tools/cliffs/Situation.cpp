@@ -106,9 +106,11 @@ Value weighted(RandomSource &random, const std::array<std::pair<Value, int>, Cou
   for (const auto &[value, weight] : values)
     sum += weight;
   int at = random.integer(0, sum - 1);
-  for (const auto &[value, weight] : values)
-    if ((at -= weight) < 0)
+  for (const auto &[value, weight] : values) {
+    at -= weight;
+    if (at < 0)
       return value;
+  }
   return values.front().first;
 }
 

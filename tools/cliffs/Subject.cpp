@@ -150,6 +150,7 @@ Expected<void> Subject::placeInstances(const Stage &stage, const Situation &situ
   const Int3 extent = stage.place.format.extent();
   placements_ = placementsOf(situation.instances, stage.place.extent, random);
   std::vector<Instance> instances;
+  instances.reserve(placements_.size());
   for (const glm::mat4 &placement : placements_)
     instances.push_back({tracer_.get(), extent, placement});
   auto world = VOXC_TRY(InstancedTracer::create(instances, situation.threads));

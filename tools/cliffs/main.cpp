@@ -142,7 +142,9 @@ Expected<void> Run::run() {
   if (!options_.cases.empty()) {
     VOXC_TRY(compareCases(finder));
   } else {
-    if (!options_.json.empty() && !(json_ = std::fopen(options_.json.c_str(), "w")))
+    if (!options_.json.empty())
+      json_ = std::fopen(options_.json.c_str(), "w");
+    if (!options_.json.empty() && !json_)
       return Error::environment("'" + options_.json + "' cannot be written");
     if (!options_.printsCases)
       for (const Calibration &calibration : finder.calibrations())

@@ -1,6 +1,7 @@
 // How every command is run.
 #include "Command.h"
 
+#include "FiguresFile.h"
 #include "Files.h"
 #include "Interrupt.h"
 #include "ManualPage.h"
@@ -12,11 +13,8 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <iostream>
-#include <optional>
 #include <span>
-#include <system_error>
 #include <vector>
 
 namespace voxc::tool {
@@ -66,36 +64,11 @@ int parseFailure(const CommandLine &program, const CLI::ParseError &failure) {
   return kUsageExit;
 }
 
-/// True if two names are of one file, or would be.
-bool areOneFile(const std::string &one, const std::string &other) {
-  std::error_code ignored;
-  return one == other || std::filesystem::equivalent(one, other, ignored);
-}
-
-/// Figures are written last, over whatever has their name: an input, or what the command has just made. Pipes
-/// and devices take both.
-Expected<void> checkFigures(const CommandLine &command) {
-  const std::optional<Option> stats = command.find("--stats");
-  if (!stats || stats->count() == 0)
-    return {};
-  const std::string file = stats->written().back();
-  std::error_code ignored;
-  if (file == "-" || std::filesystem::is_other(file, ignored))
-    return {};
-  for (const Option &option : command.options())
-    if (option.takesValue() && !option.isCalled("--stats") &&
-        std::ranges::any_of(option.written(),
-                            [&](const std::string &written) { return areOneFile(written, file); }))
-      return Error::usage("--stats and " + option.name() + " both name '" + file +
-                          "'; give the figures a file of their own");
-  return {};
-}
-
 /// Of the command that was given, or of a program without any.
 Expected<void> checkFiguresOf(const CommandLine &program) {
   const std::vector<CommandLine> commands = program.commands();
   const auto given = std::ranges::find_if(commands, &CommandLine::isGiven);
-  return checkFigures(given == commands.end() ? program : *given);
+  return checkFiguresFile(given == commands.end() ? program : *given);
 }
 
 } // namespace

@@ -74,9 +74,10 @@ void growHeapOnHugePages() {
   ::mallopt(M_TOP_PAD, kHeapBytes);
   void *volatile block = std::malloc(kHugePage); // The heap grows by that and the bytes above.
   std::free(block);
-  const auto end = reinterpret_cast<std::uintptr_t>(::sbrk(0));
-  const std::uintptr_t begin = (end - kHeapBytes + kHugePage - 1) / kHugePage * kHugePage;
-  ::madvise(reinterpret_cast<void *>(begin), end - begin, MADV_HUGEPAGE);
+  char *const end = static_cast<char *>(::sbrk(0));
+  char *begin = end - kHeapBytes;
+  begin += (kHugePage - reinterpret_cast<std::uintptr_t>(begin) % kHugePage) % kHugePage;
+  ::madvise(begin, static_cast<std::size_t>(end - begin), MADV_HUGEPAGE);
 #endif
 }
 

@@ -24,6 +24,7 @@ std::span<const EditKind> editKinds() { return kKinds; }
 std::vector<Edit> editsOf(const EditKind &kind, std::span<const Int3> places) {
   std::mt19937 random(1);
   std::vector<Edit> edits;
+  edits.reserve(static_cast<std::size_t>(kind.count));
   for (int i = 0; i < kind.count; ++i)
     edits.push_back({kind.shape, places[random() % places.size()], kind.radius, kind.word});
   return edits;

@@ -57,7 +57,8 @@ public:
       return;
     }
 #define VOXC_LOAD(name, ...)                                                                                 \
-  if (!(driver_.name = reinterpret_cast<decltype(driver_.name)>(::dlsym(library, #name))))                   \
+  driver_.name = reinterpret_cast<decltype(driver_.name)>(::dlsym(library, #name));                          \
+  if (!driver_.name)                                                                                         \
     failure_ = "the driver of CUDA has no " #name;
     VOXC_CUDA_FUNCTIONS(VOXC_LOAD)
 #undef VOXC_LOAD

@@ -8,6 +8,7 @@ namespace {
 
 Expected<OwnedSetLayout> makeSetLayout(VkDevice device, std::uint32_t bindings) {
   std::vector<VkDescriptorSetLayoutBinding> places;
+  places.reserve(bindings);
   for (std::uint32_t i = 0; i < bindings; ++i)
     places.push_back({i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr});
   VkDescriptorSetLayoutCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
@@ -135,6 +136,7 @@ std::vector<ProgramFigure> Program::figures() const {
   if (statistics(state_->device, &info, &count, found.data()) < VK_SUCCESS)
     return {};
   std::vector<ProgramFigure> figures;
+  figures.reserve(found.size());
   for (const VkPipelineExecutableStatisticKHR &figure : found)
     figures.push_back({figure.name, valueOf(figure)});
   return figures;

@@ -5,7 +5,8 @@
 
 namespace voxc::tool {
 
-OpenFrame makeFrameInputs(std::string input, std::unique_ptr<VoxelSource> first, InputOptions options) {
+OpenFrame makeFrameInputs(const std::string &input, std::unique_ptr<VoxelSource> first,
+                          InputOptions options) {
   options.describe = false;
   // What is copied must not own the source alone.
   const auto held = std::make_shared<std::unique_ptr<VoxelSource>>(std::move(first));

@@ -11,6 +11,6 @@ namespace voxc::tool {
 
 /// Opens the frames of an animation in a file. `first` is that of frame 1, which was opened by these options,
 /// whose box is that of all frames.
-OpenFrame makeFrameInputs(std::string input, std::unique_ptr<VoxelSource> first, InputOptions options);
+OpenFrame makeFrameInputs(const std::string &input, std::unique_ptr<VoxelSource> first, InputOptions options);
 
 } // namespace voxc::tool

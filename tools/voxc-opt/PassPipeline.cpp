@@ -61,6 +61,7 @@ Expected<void> addPass(PassPipeline &pipeline, const std::string &written) {
 
 std::vector<std::string_view> PassPipeline::names() const {
   std::vector<std::string_view> names;
+  names.reserve(ofFormats.size() + ofPlans.size() + 1);
   for (const std::string &pass : ofFormats)
     names.push_back(findPass(pass)->name);
   if (lowers)

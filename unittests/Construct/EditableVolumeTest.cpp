@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <random>
 
 namespace voxc {
@@ -257,6 +258,20 @@ TEST(EditableVolume, AColourIsNoLabel) {
       "7; the word of a label is its number, as label 5 is written 05000000 in digits rrggbbaa");
   ASSERT_TRUE(edited->apply(*makeBoxChange({1, 2, 3}, {1, 1, 1}, 5)));
   EXPECT_EQ(edited->volume()->lookup({1, 2, 3}).value, 5u);
+}
+
+TEST(EditableVolume, ASphereFarAwayChangesNothing) {
+  const auto source = makeBuiltinSource("full", 8);
+  const auto volume = test::buildVolume(*parseFormat("G(3)"), **source);
+  auto editable = EditableVolume::create(*volume);
+  ASSERT_TRUE(editable) << editable.error().message;
+  constexpr int kLow = std::numeric_limits<int>::min(), kHigh = std::numeric_limits<int>::max();
+  for (const int far : {kLow, kHigh})
+    for (const int radius : {5, kMostSphereRadius})
+      ASSERT_TRUE(editable->apply(*makeSphereChange({far, far, far}, radius, 0)));
+  EXPECT_EQ(editable->voxels(), 512u);
+  ASSERT_TRUE(editable->apply(*makeSphereChange({-1000, 4, 4}, kMostSphereRadius, 0)));
+  EXPECT_EQ(editable->voxels(), 0u);
 }
 
 TEST(EditableVolume, ASphereOfANegativeRadiusIsNone) {

@@ -56,7 +56,7 @@ TEST(Encode, PngIsReadAsASlice) {
   const auto reader = openPng(bytesOf(*bytes), PngForm::Samples);
   ASSERT_TRUE(reader) << reader.error().message;
   const PngHeader &header = (*reader)->header();
-  EXPECT_TRUE(header.hasColour && header.hasAlpha && !header.isGrey && !header.isWide);
+  EXPECT_TRUE(header.hasColour && header.hasAlpha && !header.isGrey && !header.isWide());
   EXPECT_EQ(header.bytesBehind, 0u);
   ASSERT_EQ(header.rowBytes() * header.height, words.size() * 4);
   std::vector<std::uint32_t> read(words.size());

@@ -54,6 +54,12 @@ TEST(BlockColours, NumbersOfOldHaveKinds) {
   EXPECT_EQ(oldBlockName(43, 8), "smooth_stone");
   EXPECT_EQ(oldBlockName(43, 9), "smooth_sandstone");
   EXPECT_EQ(oldBlockName(43, 15), "smooth_quartz");
+  EXPECT_EQ(oldBlockName(43, 12), "bricks");
+  EXPECT_EQ(oldBlockName(44, 8), oldBlockName(44, 0));
+  EXPECT_EQ(oldBlockName(44, 12), "brick_slab");
+  EXPECT_EQ(oldBlockName(38, 6), "white_tulip");
+  EXPECT_EQ(oldBlockName(100, 10), "mushroom_stem");
+  EXPECT_EQ(oldBlockName(100, 14), "red_mushroom_block");
   for (unsigned number = 0; number < 256; ++number)
     for (unsigned kind = 0; kind < 16; ++kind) {
       const std::string name = oldBlockName(number, kind).value_or("air");

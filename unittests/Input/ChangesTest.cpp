@@ -114,6 +114,25 @@ TEST_F(ChangesTest, TheInsideOfLabelsIsALabel) {
   EXPECT_EQ(voxelsOf(*open(input).source).at(mortonCode({2, 2, 2})), 5u);
 }
 
+/// A volume of labels says so; colours stay colours, whatever is asked of samples.
+TEST_F(ChangesTest, LabelsAreThoseOfTheInput) {
+  const auto save = [&](const std::string &provenance) {
+    VolumeInfo info;
+    info.format = *parseFormat("R(1)");
+    info.extent = {2, 2, 2};
+    info.voxels = 1;
+    info.provenance = provenance;
+    EXPECT_TRUE(Volume(info, {1, 7, 0, 0, 0, 0, 0, 0, 0}).save(folder_.path("v.hvx")));
+  };
+  options_.interior = Interior::Fill;
+  save("coverage=samples colour-map=labels");
+  EXPECT_NE(problem(folder_.path("v.hvx")).find("the inside of labels is filled with a label"),
+            std::string::npos);
+  save("coverage=cells");
+  options_.colourMap = "labels";
+  EXPECT_EQ(voxelsOf(*open(folder_.path("v.hvx")).source).size(), 1u);
+}
+
 /// What a volume says was done is not done again; other things are.
 TEST_F(ChangesTest, VolumesRememberWhatWasDone) {
   const auto save = [&](const std::string &provenance) {

@@ -6,7 +6,9 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -67,7 +69,7 @@ TEST_F(DenseVolumes, NumbersThatAreNoneAndEndsOfRanges) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float inf = std::numeric_limits<float>::infinity();
   // The one finite number is both ends of the range.
-  const Voxels expected{{0, kWhite}, {8, kWhite}, {9, kBlack}};
+  const Voxels expected{{0, kWhite}, {8, kWhite}};
   EXPECT_EQ(raw("4x1x1:float32le", bytesOf<float>({-2, nan, inf, -inf})), expected);
   const double most = std::numeric_limits<double>::max();
   EXPECT_EQ(raw("3x1x1:float64le", bytesOf<double>({-most, 0, most})), (Voxels{{0, kBlack}, {8, kWhite}}));
@@ -123,6 +125,14 @@ TEST_F(DenseVolumes, WhatIsNoNumberIsBackground) {
   options_.isAutomatic = true;
   EXPECT_EQ(raw("10x10x10:float32le", bytes).size(), 400u);
   EXPECT_TRUE(notes_.empty());
+  // So is the logarithm of 0.
+  std::replace_if(
+      samples.begin(), samples.end(), [](float sample) { return std::isnan(sample); },
+      -std::numeric_limits<float>::infinity());
+  std::string logarithms(bytes.size(), '\0');
+  std::memcpy(logarithms.data(), samples.data(), bytes.size());
+  EXPECT_EQ(raw("10x10x10:float32le", logarithms).size(), 400u);
+  EXPECT_EQ(raw("10x10x10:float32le", bytes).size(), 400u);
   options_.describe = true;
   const auto input = openInput("raw:10x10x10:float32le:" + folder_.path("samples.bin"), options_);
   ASSERT_TRUE(input) << input.error().message;
@@ -154,8 +164,29 @@ TEST_F(DenseVolumes, ColoursThatAreBytesOfAWiderType) {
             (Voxels{{0, rgba(0, 51, 255)}, {1, rgba(255, 255, 0)}}));
   EXPECT_THAT(warnings_, Contains("its colours go up to 1.5, and those above 1 are taken as 1"));
   const std::string wide = bytesOf<std::uint16_t>({0, 0, 65535, 257, 514, 0});
-  EXPECT_EQ(voxels("a.nrrd", head + "type: ushort\n\n" + wide),
-            (Voxels{{0, rgba(0, 0, 255)}, {1, rgba(1, 2, 0)}}));
+  const Voxels wideWords{{0, rgba(0, 0, 255)}, {1, rgba(1, 2, 0)}};
+  EXPECT_EQ(voxels("a.nrrd", head + "type: ushort\n\n" + wide), wideWords);
+  EXPECT_TRUE(warnings_.empty());
+  const std::string wider = bytesOf<std::int32_t>({0, 0, 65535, 257, 514, 0});
+  EXPECT_EQ(voxels("a.nrrd", head + "type: int\n\n" + wider), wideWords);
+  EXPECT_THAT(warnings_, Contains(HasSubstr("up to 65535, and are taken as numbers of 16 bits")));
+  // Means of bytes are not whole, and what is no number says nothing.
+  const float nan = std::nanf("");
+  const std::string means = bytesOf<float>({1.4f, 2, 3, 100, 200.5f, nan});
+  EXPECT_EQ(voxels("a.nrrd", head + "type: float\n\n" + means),
+            (Voxels{{0, rgba(1, 2, 3)}, {1, rgba(100, 201, 0)}}));
+  const std::string dark = bytesOf<std::uint16_t>({0, 0, 4095, 257, 514, 0});
+  voxels("a.nrrd", head + "type: ushort\n\n" + dark);
+  EXPECT_THAT(warnings_, Contains("its colours go up to 4095 of 65535, and are nearly black"));
+}
+
+TEST_F(DenseVolumes, AlphaIsAShareOrAByte) {
+  const std::string head = "NRRD0004\ndimension: 4\nsizes: 4 2 1 1\nencoding: raw\nendian: little\n"
+                           "kinds: RGBA-color domain domain domain\ntype: float\n\n";
+  EXPECT_EQ(voxels("a.nrrd", head + bytesOf<float>({10, 20, 30, 1, 250, 2, 3, 0.2f})),
+            (Voxels{{0, rgba(10, 20, 30, 255)}, {1, rgba(250, 2, 3, 51)}}));
+  EXPECT_EQ(voxels("a.nrrd", head + bytesOf<float>({10, 20, 30, 255, 250, 2, 3, 51})),
+            (Voxels{{0, rgba(10, 20, 30, 255)}, {1, rgba(250, 2, 3, 51)}}));
 }
 
 TEST_F(DenseVolumes, NrrdAttachedAndDetachedRawAndCompressed) {

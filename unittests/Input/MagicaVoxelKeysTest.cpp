@@ -122,10 +122,19 @@ TEST_F(MagicaVoxelKeys, ThatAreNoWholeNumbersAreErrors) {
     EXPECT_THAT(problemOf({{"_t", place}}), HasSubstr("node 0 has the place '" + std::string(place) +
                                                       "', which is no three whole numbers"));
   EXPECT_THAT(problemOf({{"_f", "1.5"}}), HasSubstr("node 0 has the time '1.5', which is no whole number"));
+  EXPECT_THAT(problemOf({{"_r", "x"}}),
+              HasSubstr("has the rotation 'x', which is no whole number from 0 to 255"));
+  EXPECT_THAT(problemOf({{"_r", "-1"}}), HasSubstr("the rotation '-1'"));
+  EXPECT_THAT(problemOf({{"_r", "\n\x1b[31m"}}), HasSubstr("the rotation '??[31m'"));
   EXPECT_EQ(problemOf({{"_t", " +1 -2  3 "}, {"_f", "+0"}}), "none");
   EXPECT_EQ(problemOf({}), "none");
   write(transformChunk(0, 1, {}) + keyedShape({}, "soon"));
   EXPECT_THAT(problem("keys.vox"), HasSubstr("node 1 has the time 'soon', which is no whole number"));
+}
+
+TEST_F(MagicaVoxelKeys, ThatAreMoreThanFramesAreAnError) {
+  write(keyedTransform({}, std::vector<Pairs>(kMostVoxFrames + 1)) + shapeChunk(1, 0));
+  EXPECT_THAT(problem("keys.vox"), HasSubstr("node 0 has 1048577 keys; there may be 1048576"));
 }
 
 } // namespace

@@ -198,6 +198,15 @@ TEST_F(Minecraft, SchematicsOfOldHaveNumbers) {
               HasSubstr("its box of 2x2x1 blocks needs as many numbers, but there are 3"));
 }
 
+/// The upper block of a tall plant says where it looks, and the lower one what it is.
+TEST_F(Minecraft, TallPlantsOfOldAreOfTheirLowerHalf) {
+  const std::string blocks = sizeTags(2, 2, 1) + bytesTag("Blocks", "\xaf\xaf\xaf\xaf");
+  EXPECT_EQ(words("a.schematic", compound("Schematic", blocks + bytesTag("Data", "\2\5\x8\xb"))),
+            (Words{wordOf("tall_grass"), wordOf("peony"), wordOf("tall_grass"), wordOf("peony")}));
+  EXPECT_EQ(words("a.schematic", compound("Schematic", blocks + bytesTag("Data", "\xc\x8\xd\1"))),
+            (Words{wordOf("rose_bush"), wordOf("sunflower"), wordOf("peony"), wordOf("lilac")}));
+}
+
 TEST_F(Minecraft, ASpongeSchematicWithoutAVersionIsOfTheFirst) {
   const std::string file = compound("Schematic", sizeTags(2, 1, 1) + paletteOf({"air", "stone"}) +
                                                      bytesTag("BlockData", std::string("\0\1", 2)));
@@ -220,7 +229,7 @@ TEST_F(Minecraft, WhatIsLeftOutIsSaid) {
 TEST_F(Minecraft, WhatIsBrokenIsAnError) {
   const std::vector<std::string> names{"air", "stone"};
   EXPECT_THAT(problem("a.schem", sponge(2, std::string("\0\1\2\1\0\0", 6), names)),
-              HasSubstr("a block has the number 2, but the palette has 2 kinds"));
+              HasSubstr("a block has the number 2, but those of the palette end at 1"));
   EXPECT_THAT(problem("a.schem", sponge(2, std::string("\0\1", 2), names)), HasSubstr("which are too few"));
   EXPECT_THAT(problem("a.schem", sponge(2, "\xff\xff\xff\xff\xff\xff", names)), HasSubstr("too few"));
   EXPECT_THAT(problem("a.schem", sponge(4, "\1", names)), HasSubstr("of version 4; voxc reads 1 to 3"));

@@ -122,6 +122,26 @@ TEST_F(Nifti, FactsAreThoseOfTheFile) {
   EXPECT_EQ(facts["size"].numbers.size(), 3u);
 }
 
+TEST_F(Nifti, AFormThatIsNoMapIsLeftOut) {
+  std::string file = nifti(true, false) + "\1\2\3\4\5\6";
+  file.replace(252, 4, bytesOf<std::int16_t>({1, 1}));
+  file.replace(256, 24, bytesOf<float>({0, 0, 0, 10, 20, 30}));
+  file.replace(76, 16, bytesOf<float>({1, 2, 3, 4}));
+  for (const float number : {0.0f, std::nanf("")}) {
+    for (std::size_t i = 0; i < 12; ++i)
+      file.replace(280 + 4 * i, 4, bytesOf<float>({number}));
+    voxels("a.nii", file);
+    EXPECT_THAT(toModel(0.5, 0.5, 0.5), ElementsAre(10, 20, 30)) << number;
+    EXPECT_THAT(toModel(1.5, 0.5, 0.5), ElementsAre(12, 20, 30)) << number;
+    EXPECT_THAT(warnings_, testing::Contains("its sform is no map of a volume, and is left out"));
+  }
+  // A size of 0 is one that nobody wrote.
+  file.replace(254, 2, bytesOf<std::int16_t>({0}));
+  file.replace(76, 16, bytesOf<float>({1, 0, std::nanf(""), 4}));
+  voxels("a.nii", file);
+  EXPECT_THAT(toModel(1.5, 1.5, 0.5), ElementsAre(11, 21, 30));
+}
+
 TEST_F(Nifti, SaysWhereItsSamplesLie) {
   std::string file = nifti(true, false) + "\1\2\3\4\5\6";
   file.replace(252, 4, bytesOf<std::int16_t>({1, 0}));

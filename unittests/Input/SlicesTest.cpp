@@ -87,6 +87,27 @@ TEST(Slices, GreysOfFewBitsAreTheirNumbers) {
   EXPECT_EQ(voxelsOf(*one->source), (Voxels{{0, 1}, {mortonCode({15, 0, 0}), 1}}));
 }
 
+/// Programs that make pictures small give each as few bits as it needs.
+TEST(Slices, GreysOfSeveralBitsGoFromBlackToWhite) {
+  const TemporaryFolder folder;
+  InputOptions options;
+  options.colourMap = "labels";
+  writeGreys(folder.path("a0.png"), 1, {0x80, 0});
+  writeGreys(folder.path("a1.png"), 4, {0x02, 0, 0, 0, 0, 0, 0, 0xf0});
+  std::vector<unsigned char> bytes(16);
+  bytes[5] = 77;
+  writeGreys(folder.path("a2.png"), 8, bytes);
+  writeGreys(folder.path("a3.png"), 1, {0, 0x01});
+  const auto input = openInput(folder.path("a%d.png"), options);
+  ASSERT_TRUE(input) << input.error().message;
+  EXPECT_EQ(voxelsOf(*input->source), (Voxels{{0, 255},
+                                              {mortonCode({1, 0, 1}), 34},
+                                              {mortonCode({14, 0, 1}), 255},
+                                              {mortonCode({5, 0, 2}), 77},
+                                              {mortonCode({15, 0, 3}), 255}}));
+  EXPECT_THAT(input->warnings, ::testing::ElementsAre(HasSubstr("all are taken as of 8")));
+}
+
 TEST(Slices, GreyOnesAreSamples) {
   const TemporaryFolder folder;
   const std::array<unsigned char, 4> low{0, 10, 20, 30};

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <limits>
 
 namespace voxc {
 namespace {
@@ -52,6 +53,22 @@ TEST_F(VoxelSizes, MeansOfSamplesThatReachTheThresholdReachIt) {
     EXPECT_EQ(take(openInput("raw:8x8x8:uint8:" + path, options_)).size(), 11u * 11 * 11) << value;
     options_.voxelSize = {2.3, 0};
     EXPECT_EQ(take(openInput("raw:8x8x8:uint8:" + path, options_)).size(), 4u * 4 * 4) << value;
+  }
+}
+
+TEST_F(VoxelSizes, MeansAreSoWhateverTheThreshold) {
+  std::string ramp;
+  for (int i = 0; i < 64; ++i)
+    ramp += static_cast<char>(i);
+  const std::string input = "raw:4x4x4:uint8:" + folder_.file("ramp.raw", ramp);
+  options_.voxelSize = {2, 0};
+  options_.window = {{0, 63}};
+  options_.threshold = -1;
+  const Voxels expected = take(openInput(input, options_));
+  EXPECT_EQ(expected.size(), 8u);
+  for (const double least : {-1e20, -1e300, -std::numeric_limits<double>::infinity()}) {
+    options_.threshold = least;
+    EXPECT_EQ(take(openInput(input, options_)), expected) << least;
   }
 }
 

@@ -39,8 +39,8 @@ constexpr const char *kKindsOfSlots[] = {
     "format { level 1: svdag(4) traversal=restart }",
     "format { level 1: svo(3) traversal=unrolled level 2: raw(1, 1, 1) }",
     "format levels=flat { level 1: svdag(2) level 2: distance(2, 2, 2, 5) }",
-    "format levels=direct { level 1: distance(2, 2, 2, 15) distances=in-slot metric=octant level 2: "
-    "masked(2, 2, 2) }",
+    ("format levels=direct { level 1: distance(2, 2, 2, 15) distances=in-slot metric=octant level 2: "
+     "masked(2, 2, 2) }"),
     "format granule=4 { level 1: raw(2, 2, 2) level 2: svdag(2) }",
     "format query=any payload=occupancy { level 1: svdag(2) level 2: masked(2, 2, 2) }",
     "format payload=palette(16) values=apart { level 1: raw(1, 1, 1) level 2: svdag(3) }",
@@ -48,8 +48,8 @@ constexpr const char *kKindsOfSlots[] = {
 
 /// With most of what a header may have: steps by distances, masks, ranks, numbers, reflections and granules.
 constexpr const char *kFewFormats[] = {
-    "format levels=direct { level 1: distance(2, 2, 2, 15) distances=in-slot metric=octant level 2: "
-    "masked(2, 2, 2) }",
+    ("format levels=direct { level 1: distance(2, 2, 2, 15) distances=in-slot metric=octant level 2: "
+     "masked(2, 2, 2) }"),
     "format values=apart { level 1: svdag(1) level 2: masked(3, 3, 3) }",
     "format granule=4 { level 1: raw(2, 2, 2) level 2: svdag(2) }"};
 

@@ -6,7 +6,9 @@
 
 #include <fcntl.h>
 #include <filesystem>
+#include <grp.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace voxc {
@@ -81,6 +83,9 @@ TEST_F(LinkedFile, LinksInACircleAreAnError) {
   ASSERT_FALSE(written);
   EXPECT_EQ(written.error().kind, ErrorKind::Environment);
   EXPECT_TRUE(std::filesystem::is_symlink(path));
+  const auto isRegular = OutputFile::isRegularAt(path);
+  ASSERT_FALSE(isRegular);
+  EXPECT_EQ(isRegular.error().message, written.error().message);
 }
 
 /// As a shell that sends output to a file has it: /dev/stdout is such a link.
@@ -89,8 +94,8 @@ TEST_F(LinkedFile, WhatIsOpenIsWrittenTo) {
   ASSERT_GE(file, 0);
   ASSERT_EQ(::write(file, "before, ", 8), 8);
   const std::string own = "/proc/self/fd/" + std::to_string(file), path = link("link", own);
-  EXPECT_FALSE(OutputFile::isRegularAt(own));
-  EXPECT_FALSE(OutputFile::isRegularAt(path));
+  EXPECT_FALSE(*OutputFile::isRegularAt(own));
+  EXPECT_FALSE(*OutputFile::isRegularAt(path));
   EXPECT_TRUE(writeFile(own, "text"));
   EXPECT_TRUE(writeFile(path, " and more"));
   ::close(file);
@@ -109,14 +114,54 @@ TEST_F(LinkedFile, KeepsPermissions) {
   EXPECT_EQ(status.st_mode & 0777U, 0600U);
 }
 
+/// Root alone may give a file to somebody else.
+TEST_F(LinkedFile, KeepsItsOwner) {
+  if (::geteuid() != 0)
+    GTEST_SKIP() << "this process may not give files away";
+  const std::string path = pathOf("file");
+  ASSERT_TRUE(writeFile(path, "old"));
+  ASSERT_EQ(::chown(path.c_str(), 2000, 3000), 0);
+  ASSERT_EQ(::chmod(path.c_str(), 0640), 0);
+  ASSERT_TRUE(writeFile(path, "new"));
+  struct stat status{};
+  ASSERT_EQ(::stat(path.c_str(), &status), 0);
+  EXPECT_EQ(status.st_uid, 2000U);
+  EXPECT_EQ(status.st_gid, 3000U);
+  EXPECT_EQ(status.st_mode & 0777U, 0640U);
+}
+
+/// Who may not keep the group of a file gives its own group no more than all others have.
+TEST_F(LinkedFile, AnotherGroupHasWhatOthersHave) {
+  if (::geteuid() != 0)
+    GTEST_SKIP() << "this process cannot become another";
+  const std::string path = pathOf("file");
+  ASSERT_TRUE(writeFile(path, "old"));
+  ASSERT_EQ(::chown(path.c_str(), 2000, 3000), 0);
+  ASSERT_EQ(::chmod(path.c_str(), 0664), 0);
+  ASSERT_EQ(::chmod(folder_.c_str(), 0777), 0);
+  const pid_t child = ::fork();
+  if (child == 0)
+    ::_exit(::setgroups(0, nullptr) == 0 && ::setgid(100) == 0 && ::setuid(2000) == 0 &&
+                    writeFile(path, "new")
+                ? 0
+                : 1);
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_EQ(status, 0);
+  struct stat written{};
+  ASSERT_EQ(::stat(path.c_str(), &written), 0);
+  EXPECT_EQ(written.st_gid, 100U);
+  EXPECT_EQ(written.st_mode & 0777U, 0644U);
+}
+
 TEST_F(LinkedFile, PipesAreNoneAndAskedForUnopened) {
   const std::string path = pathOf("pipe");
   ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
   ::alarm(60); // Ends the test if it is opened, and waits for a reader.
-  EXPECT_FALSE(OutputFile::isRegularAt(path));
-  EXPECT_FALSE(OutputFile::isRegularAt(link("link", "pipe")));
+  EXPECT_FALSE(*OutputFile::isRegularAt(path));
+  EXPECT_FALSE(*OutputFile::isRegularAt(link("link", "pipe")));
   ::alarm(0);
-  EXPECT_TRUE(OutputFile::isRegularAt(pathOf("none")));
+  EXPECT_TRUE(*OutputFile::isRegularAt(pathOf("none")));
 }
 
 } // namespace

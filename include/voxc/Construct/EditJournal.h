@@ -38,15 +38,18 @@ public:
   Expected<void> append(const std::vector<VoxelEdit> &edits, const LoadOptions &options = {},
                         const CompileCache *cache = nullptr);
 
-  /// Says that a file of this identity, which is about to take the name of the volume, has all edits: where
-  /// the journal is then found beside it, it counts for nothing.
-  Expected<void> close(const std::string &compacted);
+  /// Gives `compacted`, a volume file with all edits in the folder of this volume's file, the name and the
+  /// permissions of that, and removes the journal. Whenever the process ends, file and journal fit each
+  /// other. Errors (`Environment`), after which the volume and its journal are as before, and `compacted` is
+  /// removed.
+  Expected<void> fold(const std::string &compacted);
 
 private:
   EditJournal(std::string volumePath, std::string path, int file)
       : volumePath_(std::move(volumePath)), path_(std::move(path)), file_(file) {}
   Expected<void> prove(const std::vector<VoxelEdit> &edits, const LoadOptions &options,
                        const CompileCache *cache) const;
+  Expected<void> close(const std::string &compacted);
   Expected<void> write(const std::string &record);
 
   std::string volumePath_;

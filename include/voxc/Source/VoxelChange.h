@@ -36,6 +36,9 @@ public:
 /// Voxels [low, low + size) become `word`; 0 clears them.
 std::unique_ptr<VoxelChange> makeBoxChange(Int3 low, Int3 size, std::uint32_t word);
 
+/// The largest sphere reaches from the middle of the largest volume to its faces.
+inline constexpr int kMostSphereRadius = 1 << (kMaxLog2Extent - 1);
+
 /// Voxels whose centre is no farther than `radius` from that of `centre` become `word`. `radius` is 0 to
 /// 2^20; below 0 none is.
 std::unique_ptr<VoxelChange> makeSphereChange(Int3 centre, int radius, std::uint32_t word);

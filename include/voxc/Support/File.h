@@ -45,8 +45,9 @@ public:
   /// Errors: `Environment` if nothing can be written there; `Input` if `path` is a directory.
   static Expected<OutputFile> create(const std::string &path);
   /// Whether a file that is created for `path` would be regular. Asks without opening what is there, as
-  /// readers of a pipe take it for ended once a writer has closed it.
-  static bool isRegularAt(const std::string &path);
+  /// readers of a pipe take it for ended once a writer has closed it. Error (`Environment`): links that
+  /// cannot be followed.
+  static Expected<bool> isRegularAt(const std::string &path);
   ~OutputFile();
   OutputFile(OutputFile &&) noexcept;
   OutputFile &operator=(OutputFile &&) = delete;

@@ -4,6 +4,7 @@
 #include "JournalFormat.h"
 
 #include "Construct/Host/VoxelProof.h"
+#include "Support/Platform/File.h"
 #include "Support/Platform/Path.h"
 #include "voxc/Construct/EditableVolume.h"
 #include "voxc/Layout/Edits.h"
@@ -66,6 +67,17 @@ bool hasName(int file, const std::string &path) {
   struct stat own{}, named{};
   return ::fstat(file, &own) == 0 && ::stat(path.c_str(), &named) == 0 && own.st_ino == named.st_ino &&
          own.st_dev == named.st_dev;
+}
+
+/// Gives a file the permissions of another. False with `errno` if that fails.
+bool takeAccess(const std::string &path, const std::string &other) {
+  const int file = platform::openToRead(path);
+  const bool taken = file >= 0 && platform::takeAccessOf(other, file);
+  const int reason = errno;
+  if (file >= 0)
+    platform::close(file);
+  errno = reason;
+  return taken;
 }
 
 /// Sees onto the disk that a folder has a file.
@@ -133,7 +145,7 @@ Expected<EditJournal> EditJournal::open(const std::string &volumePath) {
   const auto identity =
       VOXC_TRY(summary ? journal::identityOf(volumePath) : Expected<journal::Identity>(summary.error()));
   const std::string path = journalPathOf(volumePath);
-  EditJournal journal(volumePath, path, ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+  EditJournal journal(volumePath, path, ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
   if (journal.file_ < 0)
     return cannotWrite(path);
   if (::flock(journal.file_, LOCK_EX | LOCK_NB) != 0)
@@ -148,6 +160,8 @@ Expected<EditJournal> EditJournal::open(const std::string &volumePath) {
     return cannotWrite(path);
   if (contents.end > 0)
     return journal;
+  if (!platform::takeAccessOf(volumePath, journal.file_)) // It has voxels of the volume.
+    return cannotWrite(path);
   journal::Head head = journal::kHead;
   head.identity = identity;
   VOXC_TRY(journal.write(std::string(reinterpret_cast<const char *>(&head), sizeof head)));
@@ -157,14 +171,15 @@ Expected<EditJournal> EditJournal::open(const std::string &volumePath) {
 
 /// Adds bytes at the end and sees them onto the disk.
 Expected<void> EditJournal::write(const std::string &record) {
-  ::lseek(file_, 0, SEEK_END);
-  for (std::size_t done = 0; done < record.size();) {
-    const ssize_t written = ::write(file_, record.data() + done, record.size() - done);
-    if (written <= 0)
-      return cannotWrite(path_);
-    done += static_cast<std::size_t>(written);
-  }
-  return ::fdatasync(file_) == 0 ? Expected<void>() : cannotWrite(path_);
+  const off_t end = ::lseek(file_, 0, SEEK_END);
+  const auto bytes = std::as_bytes(std::span(record.data(), record.size()));
+  if (platform::writeAt(file_, bytes, static_cast<std::uint64_t>(end)) && platform::writeThrough(file_))
+    return {};
+  Error failure = cannotWrite(path_);
+  // Readers stop at a record that is not whole: no other may come behind it.
+  if (::ftruncate(file_, end) != 0)
+    ::close(std::exchange(file_, -1));
+  return failure;
 }
 
 /// Makes the volume as a reader of the journal will: a word that the format cannot keep would keep it from
@@ -187,12 +202,22 @@ Expected<void> EditJournal::append(const std::vector<VoxelEdit> &edits, const Lo
   return written;
 }
 
+/// Says that a file has all edits, which is about to take the name of the volume: where the journal is then
+/// found beside it, it counts for nothing.
 Expected<void> EditJournal::close(const std::string &compacted) {
   const auto identity = VOXC_TRY(journal::identityOf(compacted));
   const std::string bytes(reinterpret_cast<const char *>(identity.data()), sizeof identity);
-  auto written = write(journal::recordText(journal::RecordKind::Closed, transactions_, bytes));
-  transactions_ += written ? 1 : 0;
-  return written;
+  return write(journal::recordText(journal::RecordKind::Closed, transactions_, bytes));
+}
+
+Expected<void> EditJournal::fold(const std::string &compacted) {
+  const auto end = platform::followLinks(volumePath_);
+  Expected<void> folded =
+      end && takeAccess(compacted, end->path) ? close(compacted) : cannotWrite(volumePath_);
+  if (folded && !platform::renameOver(compacted, end->path))
+    folded = cannotWrite(volumePath_);
+  platform::removeFile(folded ? path_ : compacted);
+  return folded;
 }
 
 Expected<std::vector<VoxelEdit>> readJournal(const std::string &volumePath) {

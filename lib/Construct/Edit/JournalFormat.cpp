@@ -17,6 +17,9 @@ namespace {
 /// Where the head of a volume file has its checksum, and its size behind it (docs/hvx.md).
 constexpr std::size_t kIdentityAt = 16;
 
+/// How often bytes are looked at, of which each may begin a record.
+constexpr std::uint64_t kMostLooks = 64;
+
 /// An edit, whose pasted volume follows as a .hvx file of so many bytes; 0: none.
 struct EditHead {
   std::int32_t low[3];
@@ -108,14 +111,29 @@ std::optional<Record> takeRecord(std::span<const std::byte> &rest, std::uint64_t
   return Record{head.kind, bytes};
 }
 
-/// Whether a record of this number stands behind the one that `rest` begins with: each is on the disk before
-/// the next is begun.
-bool hasNext(std::span<const std::byte> rest, std::uint64_t number) {
+bool isOfRecord(const RecordHead &head) {
+  return (head.kind == RecordKind::Edits || head.kind == RecordKind::Closed) && head.unused == 0;
+}
+
+/// Whether the record of this number, with which `rest` begins and which is not whole, was whole once: each
+/// is on the disk before the next is begun, and so nothing stands behind one that is not. Its length may be
+/// what is damaged, so that the next may begin anywhere.
+bool isDamaged(std::span<const std::byte> rest, std::uint64_t number) {
   RecordHead head{};
-  if (!take(rest, head) || head.bytes > rest.size())
-    return false;
-  rest = rest.subspan(static_cast<std::size_t>(head.bytes));
-  return takeRecord(rest, number).has_value();
+  std::span<const std::byte> behind = rest;
+  if (take(behind, head) && isOfRecord(head) && head.bytes < behind.size())
+    return true;
+  std::uint64_t looks = kMostLooks * rest.size();
+  for (std::size_t at = 1; at < rest.size(); ++at) {
+    behind = rest.subspan(at);
+    if (!take(behind, head) || !isOfRecord(head) || head.bytes > behind.size())
+      continue;
+    behind = rest.subspan(at);
+    if (head.bytes > looks || takeRecord(behind, number + 1))
+      return true;
+    looks -= head.bytes;
+  }
+  return false;
 }
 
 } // namespace
@@ -139,7 +157,7 @@ Expected<Contents> parse(std::span<const std::byte> file, const std::string &pat
   while (const auto record = takeRecord(rest, contents.records.size()))
     contents.records.push_back(*record);
   contents.end = file.size() - rest.size();
-  if (hasNext(rest, contents.records.size() + 1))
+  if (isDamaged(rest, contents.records.size()))
     return Error::input("the journal '" + path + "' is damaged at its edit " +
                         std::to_string(contents.records.size() + 1) +
                         ", behind which there are others; put back a copy of it, or remove it");

@@ -32,9 +32,10 @@ FragmentWriter::FragmentWriter(OutputFile file, FragmentInfo info)
     : file_(std::move(file)), info_(std::move(info)), sum_(std::make_unique<Checksum>()) {}
 
 Expected<FragmentWriter> FragmentWriter::create(const std::string &path, const FragmentInfo &info) {
-  auto file = VOXC_TRY(OutputFile::create(path));
-  if (!file.isRegular())
+  const bool isRegular = VOXC_TRY(OutputFile::isRegularAt(path));
+  if (!isRegular)
     return Error::input("'" + path + "' is no file; a fragment needs one");
+  auto file = VOXC_TRY(OutputFile::create(path));
   FragmentWriter writer(std::move(file), info);
   const Header header = headerOf(info);
   const std::string texts = printIr(info.volume.format) + info.volume.provenance;

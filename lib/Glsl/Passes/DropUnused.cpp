@@ -151,6 +151,7 @@ private:
       if (declaration.kind == Outer::Function && !isKept(declaration.name)) {
         const auto uses = usesIn(declaration);
         std::vector<bool> flags;
+        flags.reserve(declaration.parameters.size());
         for (const Parameter &parameter : declaration.parameters)
           flags.push_back(!uses.contains(parameter.name));
         if (const auto [at, isNew] = unused.emplace(declaration.name, flags); !isNew)
@@ -205,6 +206,7 @@ private:
       if (declaration.kind != Outer::Structure || isKept(declaration.name))
         continue;
       std::vector<bool> flags;
+      flags.reserve(declaration.variables.size());
       for (const Variable &member : declaration.variables)
         flags.push_back(!read.contains(member.name) && !read.contains(declaration.name + "." + member.name));
       if (std::ranges::find(flags, true) == flags.end() || std::ranges::find(flags, false) == flags.end())

@@ -226,11 +226,9 @@ private:
     const auto is = [](const Expression &operand, bool value) {
       return value ? isTrue(operand) : isFalse(operand);
     };
-    if (is(operands[0], neutral))
-      take(expression, 1);
-    else if (is(operands[1], neutral) || is(operands[0], !neutral))
+    if (is(operands[1], neutral) || is(operands[0], !neutral))
       take(expression, 0);
-    else if (is(operands[1], !neutral) && !hasEffects(operands[0]))
+    else if (is(operands[0], neutral) || (is(operands[1], !neutral) && !hasEffects(operands[0])))
       take(expression, 1);
   }
 

@@ -17,6 +17,7 @@ struct Renamed {
 
 std::vector<std::string> typesOf(const Declaration &function) {
   std::vector<std::string> types;
+  types.reserve(function.parameters.size());
   for (const Parameter &parameter : function.parameters)
     types.push_back(parameter.type);
   return types;

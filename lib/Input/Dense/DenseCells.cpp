@@ -70,7 +70,8 @@ private:
     for (int channel = 0; channel < volume_.channels; ++channel) {
       double value = 0;
       loadSamples(volume_.layout, at + channel * volume_.channelStep, 1, &value);
-      bytes[static_cast<std::size_t>(channel)] = byteOf(value, volume_.fullColour);
+      bytes[static_cast<std::size_t>(channel)] =
+          byteOf(value, channel < 3 ? volume_.fullColour : volume_.fullAlpha);
     }
     const bool isEmpty = volume_.channels == 3 && (bytes[0] | bytes[1] | bytes[2]) == 0;
     return isEmpty ? 0 : rgba(bytes[0], bytes[1], bytes[2], bytes[3]);

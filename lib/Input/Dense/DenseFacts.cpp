@@ -47,7 +47,8 @@ InputFact countFact(std::string name, std::uint64_t count, const Histogram &hist
 
 /// A row for each part of the range, with a bar as long as its share.
 InputFact histogramFact(const Histogram &histogram) {
-  const double width = histogram.width() * double(histogram.counts.size() / kRows);
+  const std::size_t countsOfRow = histogram.counts.size() / kRows;
+  const double width = histogram.width() * double(countsOfRow);
   std::array<std::uint64_t, kRows> counts{};
   for (std::size_t i = 0; i < histogram.counts.size(); ++i)
     counts[i * kRows / histogram.counts.size()] += histogram.counts[i];

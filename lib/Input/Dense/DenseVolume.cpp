@@ -4,6 +4,7 @@
 #include "Input/Dense/ColourMap.h"
 #include "Input/Dense/DenseCells.h"
 #include "Input/Dense/DenseFacts.h"
+#include "Input/Dense/FullColour.h"
 #include "Input/Dense/Histogram.h"
 #include "Input/Dense/Labels.h"
 #include "Input/Dense/Resample.h"
@@ -29,32 +30,6 @@ Expected<SampleRange> rangeOf(const DenseVolume &volume, const SampleMap &map, c
   if (!looked)
     return looked.error();
   return range.low <= range.high ? range : SampleRange{0, 0};
-}
-
-constexpr double kByteColours = 255;
-
-/// Of all channels of colours.
-struct ChannelRange {
-  double high = 0;
-  bool areWhole = true;
-};
-
-Expected<ChannelRange> rangeOfChannels(const DenseVolume &volume, const InputOptions &options) {
-  ChannelRange range;
-  DenseVolume channel = volume;
-  channel.channels = 1;
-  channel.steps = stepsOf(volume);
-  std::vector<double> stored;
-  for (int i = 0; i < volume.channels; ++i, channel.samples += volume.channelStep)
-    VOXC_TRY(forEachPiece(channel, options, [&](const std::byte *samples, std::size_t count) {
-      stored.resize(count);
-      loadSamples(volume.layout, samples, count, stored.data());
-      for (const double value : stored) {
-        range.high = std::max(range.high, value);
-        range.areWhole &= value == std::floor(value);
-      }
-    }));
-  return range;
 }
 
 /// A share of the samples that no thing in a box fills, with room around it.
@@ -185,26 +160,6 @@ std::string provenanceOf(const SampleMap &map, const InputOptions &options) {
     return text + upProvenance(options);
   text += " window=" + toText(map.window.low) + "," + toText(map.window.high);
   return text + upProvenance(options);
-}
-
-/// What 255 is of colours: the greatest number of their type, or 1. Numbers that look like bytes of a wider
-/// type are taken for bytes, and what is above 1 beside others for 1. Error: interrupted.
-Expected<void> findFullColour(DenseVolume &volume, const InputOptions &options) {
-  const bool areWhole = isWhole(volume.layout.type);
-  volume.fullColour = areWhole ? greatest(volume.layout.type) : 1;
-  if (areWhole && volume.fullColour <= kByteColours)
-    return {};
-  const ChannelRange range = VOXC_TRY(rangeOfChannels(volume, options));
-  if (!areWhole && range.high <= 1)
-    return {};
-  const std::string found = "its colours go up to " + toText(range.high) + ", and ";
-  if (range.areWhole && range.high <= kByteColours) {
-    volume.fullColour = kByteColours;
-    volume.warnings.push_back(found + "are taken as bytes, though the type is " + toText(volume.layout));
-  } else if (!areWhole) {
-    volume.warnings.push_back(found + "those above 1 are taken as 1");
-  }
-  return {};
 }
 
 /// Options that mean nothing for colours. Error: one of them is given.

@@ -27,7 +27,8 @@ struct DenseVolume {
   /// Without alpha, black is empty.
   int channels = 1;
   std::int64_t channelStep = 0;
-  double fullColour = 0;   ///< Of colours: the number of a channel that is 255, as `makeInput` finds it.
+  double fullColour = 0;   ///< Of colours: the number of a channel that is 255, as `makeInput` finds it,
+  double fullAlpha = 0;    ///< and of alpha.
   bool areLabels = false;  ///< The file says that its samples are numbers of things.
   double unit = 0;         ///< Metres of a step of length 1 in the model; 0: not known.
   Transform sampleToModel; ///< Of points in voxels: sample i fills [i, i + 1).

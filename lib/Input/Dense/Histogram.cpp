@@ -71,9 +71,7 @@ Expected<Histogram> histogramOf(const DenseVolume &volume, const SampleMap &map,
     for (const double sample : stored) {
       const double value = map.value(sample);
       const std::uint32_t word = parts.wordOf(value);
-      !std::isfinite(value) ? ++histogram.noNumbers
-      : word == 0           ? ++histogram.zeros
-                            : ++histogram.counts[word - 1];
+      isNothing(value) ? ++histogram.noNumbers : word == 0 ? ++histogram.zeros : ++histogram.counts[word - 1];
     }
   });
   if (!counted)

@@ -8,8 +8,8 @@
 
 namespace voxc {
 
-/// Counts of samples: those that are 0, those that are no finite numbers, and the others by 256 equal parts
-/// of their range.
+/// Counts of samples: those that are 0, those that are `isNothing`, and the others by 256 equal parts of
+/// their range, of which the last has infinity too.
 struct Histogram {
   SampleRange range; ///< Of the values; 0 to 0 if none is finite.
   std::array<std::uint64_t, 256> counts{};

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <optional>
 
 namespace voxc {
 
@@ -147,42 +148,50 @@ Transform mapByMatrix(const Reader &reader) {
   return mapOfSteps(steps, origin);
 }
 
+/// The map of a form that the header has; none, with a warning, if it puts all samples onto a plane, or
+/// nowhere.
+std::optional<Transform> usableForm(const char *name, const Transform &map, NiftiHeader &header) {
+  if (isFinite(map) && glm::determinant(glm::dmat3(map)) != 0)
+    return map;
+  header.warnings.push_back("its " + std::string(name) + " is no map of a volume, and is left out");
+  return std::nullopt;
+}
+
 /// Two maps that tell different places: the matrix is taken.
-void compareMaps(const Reader &reader, const Vector &sizes, NiftiHeader &header) {
+void compareMaps(const Transform &matrix, const Transform &rotation, const Vector &sizes,
+                 NiftiHeader &header) {
   constexpr double kSame = 1e-3;
-  const Transform other = mapByRotation(reader, sizes);
   const double size = std::max({sizes[0], sizes[1], sizes[2]});
   double most = 0;
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 3; ++row)
-      most = std::max(most, std::abs(other[column][row] - header.sampleToModel[column][row]));
+      most = std::max(most, std::abs(rotation[column][row] - matrix[column][row]));
   if (!(most <= kSame * size))
     header.warnings.emplace_back("its qform puts the samples elsewhere than its sform, which is taken");
 }
 
-void readMap(const Reader &reader, NiftiHeader &header) {
+/// The sizes of samples; 1 along axes of which the header says none, as other readers have it.
+Vector sizesOf(const Reader &reader) {
   Vector sizes;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    sizes[axis] = std::abs(reader.number(reader.at().pixdim, axis + 1));
-    // Axes that are not there have no size.
-    if (sizes[axis] == 0 && header.extent[static_cast<int>(axis)] == 1)
-      sizes[axis] = 1;
+    const double size = std::abs(reader.number(reader.at().pixdim, axis + 1));
+    sizes[axis] = size > 0 && std::isfinite(size) ? size : 1;
   }
-  const bool hasMatrix = !header.isAnalyze && reader.code(reader.at().sformCode) > 0;
-  const bool hasRotation = !header.isAnalyze && reader.code(reader.at().qformCode) > 0;
-  header.hasOrientation = hasMatrix || hasRotation;
-  if (hasMatrix)
-    header.sampleToModel = mapByMatrix(reader);
-  else if (hasRotation)
-    header.sampleToModel = mapByRotation(reader, sizes);
-  else if (std::ranges::all_of(sizes, [](double size) { return size > 0; }))
-    header.sampleToModel = transformOfRows({sizes[0], 0, 0, 0, 0, sizes[1], 0, 0, 0, 0, sizes[2], 0});
-  if (!isFinite(header.sampleToModel)) {
-    header.sampleToModel = Transform();
-    header.hasOrientation = false;
-  } else if (hasMatrix && hasRotation) {
-    compareMaps(reader, sizes, header);
-  }
+  return sizes;
+}
+
+void readMap(const Reader &reader, NiftiHeader &header) {
+  const Vector sizes = sizesOf(reader);
+  std::optional<Transform> matrix, rotation;
+  if (!header.isAnalyze && reader.code(reader.at().sformCode) > 0)
+    matrix = usableForm("sform", mapByMatrix(reader), header);
+  if (!header.isAnalyze && reader.code(reader.at().qformCode) > 0)
+    rotation = usableForm("qform", mapByRotation(reader, sizes), header);
+  header.hasOrientation = matrix || rotation;
+  const Transform scale = transformOfRows({sizes[0], 0, 0, 0, 0, sizes[1], 0, 0, 0, 0, sizes[2], 0});
+  header.sampleToModel = matrix ? *matrix : rotation.value_or(scale);
+  if (matrix && rotation)
+    compareMaps(*matrix, *rotation, sizes, header);
 }
 
 /// Colours and labels by what the file is meant for.

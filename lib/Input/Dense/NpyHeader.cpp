@@ -1,6 +1,8 @@
 // NumPy headers: a dictionary in Python's notation, of three keys.
 #include "Input/Dense/NpyHeader.h"
 
+#include "Support/Text.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -51,8 +53,8 @@ Expected<void> readType(std::string_view value, NpyHeader &header) {
       header.isBool = name == "b1";
       return {};
     }
-  return Error::input("its values are of the type " + std::string(word.substr(0, 40)) +
-                      ", which are no numbers of 8 to 64 bits");
+  return Error::input("its values are of the type " + printable(word.substr(0, 40)) +
+                      "; whole numbers of 8 to 64 bits are read, and floats of 32 and 64");
 }
 
 bool readShape(std::string_view value, NpyHeader &header) {

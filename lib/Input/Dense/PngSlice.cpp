@@ -4,6 +4,7 @@
 
 #include "Support/Text.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -30,7 +31,8 @@ public:
   Expected<bool> next(Slice &slice) override {
     const PngHeader &header = reader_->header();
     slice = {static_cast<std::int32_t>(header.width), static_cast<std::int32_t>(header.height), header.isGrey,
-             header.isGrey && header.isWide ? SampleType::Uint16 : SampleType::Uint8};
+             header.isGrey && header.isWide() ? SampleType::Uint16 : SampleType::Uint8,
+             header.isGrey ? std::min(header.bits, 8u) : 8};
     return !std::exchange(isRead_, true);
   }
 

@@ -95,14 +95,13 @@ private:
   std::array<SampledAxis, 3> axes_;
 };
 
-/// The words of means of samples, and of what lies between them. What is no number counts for nothing. Sums
-/// are of what samples are above the threshold: of a mean of samples that all reach it, no rounding makes
-/// less.
+/// The words of means of samples, and of what lies between them. What is no number counts for nothing. A mean
+/// is from the least to the greatest of its samples, whatever its sum was rounded to: where all of them reach
+/// the threshold, it does.
 class MeanRows final : public DenseRows {
 public:
   MeanRows(DenseVolume volume, const SampleMap &map, const std::array<SampledAxis, 3> &axes)
-      : volume_(std::move(volume)), map_(map), threshold_(*map.threshold), axes_(axes),
-        steps_(stepsOf(volume_)) {}
+      : volume_(std::move(volume)), map_(map), axes_(axes), steps_(stepsOf(volume_)) {}
 
   void read(Int3 first, std::int32_t count, std::uint32_t *words) const override {
     std::vector<Taps> taps;
@@ -119,27 +118,31 @@ public:
     const Line line = lineOf(low, high - low, tapsOf(axes_[1], first.y), tapsOf(axes_[2], first.z));
     for (std::int32_t i = 0; i < count; ++i) {
       double sum = 0, weight = 0;
+      SampleRange range;
       const Taps &tap = taps[static_cast<std::size_t>(i)];
       for (std::size_t j = 0; j < tap.weights.size(); ++j) {
         const auto at = static_cast<std::size_t>(tap.first - low) + j;
         sum += tap.weights[j] * line.sums[at];
         weight += tap.weights[j] * line.weights[at];
+        range.low = std::min(range.low, line.ranges[at].low);
+        range.high = std::max(range.high, line.ranges[at].high);
       }
       if (weight > 0)
-        words[i] = map_.wordOf(threshold_ + sum / weight);
+        words[i] = map_.wordOf(std::clamp(sum / weight, range.low, range.high));
     }
   }
 
 private:
   struct Line {
     std::vector<double> sums, weights;
+    std::vector<SampleRange> ranges;
   };
 
   /// The samples from `x` on, put together along y and z.
   Line lineOf(std::int32_t x, std::int32_t count, const Taps &y, const Taps &z) const {
     const auto size = static_cast<std::size_t>(count);
     const std::size_t bytes = byteSize(volume_.layout.type);
-    Line line{std::vector<double>(size), std::vector<double>(size)};
+    Line line{std::vector<double>(size), std::vector<double>(size), std::vector<SampleRange>(size)};
     std::vector<std::byte> samples(size * bytes);
     std::vector<double> values(size);
     for (std::size_t k = 0; k < z.weights.size(); ++k)
@@ -151,8 +154,10 @@ private:
         const double weight = z.weights[k] * y.weights[j];
         for (std::size_t i = 0; i < size; ++i)
           if (std::isfinite(values[i])) {
-            line.sums[i] += weight * (map_.value(values[i]) - threshold_);
+            const double value = map_.value(values[i]);
+            line.sums[i] += weight * value;
             line.weights[i] += weight;
+            line.ranges[i] = {std::min(line.ranges[i].low, value), std::max(line.ranges[i].high, value)};
           }
       }
     return line;
@@ -160,7 +165,6 @@ private:
 
   DenseVolume volume_;
   SampleMap map_;
-  double threshold_;
   std::array<SampledAxis, 3> axes_;
   std::array<std::int64_t, 3> steps_;
 };

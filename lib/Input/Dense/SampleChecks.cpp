@@ -18,8 +18,7 @@ std::optional<std::string> complaintOf(double threshold, const SampleRange &rang
   if (threshold > range.high)
     return "no sample reaches the threshold " + toText(threshold) + "; " + samples;
   if (threshold <= range.low && range.low < range.high)
-    return "100 % of the samples become voxels: all reach the threshold " + toText(threshold) + "; " +
-           samples;
+    return "no sample is below the threshold " + toText(threshold) + ", which leaves none out; " + samples;
   return std::nullopt;
 }
 

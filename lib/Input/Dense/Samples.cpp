@@ -118,8 +118,7 @@ std::uint32_t SampleMap::wordOf(double value) const {
     return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::clamp(value, -0x1p31, 0x1p31 - 1)));
   if (kept == Kept::Float32)
     return value == 0 ? 0 : std::bit_cast<std::uint32_t>(static_cast<float>(value));
-  // Written so that NaN is empty.
-  const bool isVoxel = threshold ? value >= *threshold : value < 0 || value > 0;
+  const bool isVoxel = threshold ? value >= *threshold : value != 0 && !isNothing(value);
   if (!isVoxel)
     return 0;
   if (labels) {

@@ -4,6 +4,7 @@
 #include "voxc/Support/Error.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -52,11 +53,16 @@ struct SampleRange {
   double high = -std::numeric_limits<double>::infinity();
 };
 
+/// NaN, and what is less than any number, as the logarithm of 0: files have it where there is nothing.
+inline bool isNothing(double value) {
+  return std::isnan(value) || value == -std::numeric_limits<double>::infinity();
+}
+
 /// What a sample means and looks like. All arithmetic is in float64.
 struct SampleMap {
   double slope = 1; ///< A sample's value is slope * stored + intercept.
   double intercept = 0;
-  /// Samples from here up are voxels; without it, all but 0. NaN is never one.
+  /// Samples from here up are voxels; without it, all but 0 and -infinity. NaN is never one.
   std::optional<double> threshold;
   SampleRange window;                       ///< The values of the first and the last colour.
   std::array<std::uint32_t, 256> colours{}; ///< None of them 0.

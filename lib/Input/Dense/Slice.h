@@ -22,8 +22,12 @@ struct Slice {
   std::int32_t height = 0;
   bool isGrey = false;                 ///< A sample a cell; else RGBA8, of which the word 0 is empty.
   SampleType type = SampleType::Uint8; ///< Of grey samples, in this machine's byte order.
+  unsigned bits = 8; ///< Of grey samples in a byte: 1, 2, 4 or 8. They stay the numbers that they are.
 
-  bool operator==(const Slice &) const = default;
+  /// Whether both lie in one stack, perhaps with samples of other numbers of bits in a byte.
+  bool isLike(const Slice &other) const {
+    return width == other.width && height == other.height && isGrey == other.isGrey && type == other.type;
+  }
   std::uint64_t bytes() const {
     const std::uint64_t cells = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
     return cells * (isGrey ? byteSize(type) : 4);

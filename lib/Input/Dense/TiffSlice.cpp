@@ -112,6 +112,7 @@ private:
             std::to_string(page_.format) +
             ", which are not read; whole numbers of 1 to 64 bits are, and floats of 32 and 64");
       slice_.type = *type;
+      slice_.bits = std::min<unsigned>(page_.bits, 8);
     }
     return {};
   }

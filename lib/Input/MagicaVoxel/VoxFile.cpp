@@ -5,6 +5,7 @@
 #include "Input/MagicaVoxel/VoxKeys.h"
 #include "Input/MagicaVoxel/VoxMaterial.h"
 #include "Input/MagicaVoxel/VoxPalette.h"
+#include "Support/Text.h"
 
 #include <algorithm>
 #include <bit>
@@ -74,24 +75,34 @@ bool readIntegers(std::string_view text, std::span<std::int64_t> numbers) {
 Error wrongKey(std::uint32_t node, std::string_view what, std::string_view text, std::string_view right) {
   constexpr std::size_t kLongest = 32;
   return Error::input("node " + std::to_string(node) + " has the " + std::string(what) + " '" +
-                      std::string(text.substr(0, kLongest)) + "', which is no " + std::string(right));
+                      printable(text.substr(0, kLongest)) + "', which is no " + std::string(right));
 }
 
 /// A key of the node with this number.
 Expected<VoxKey> readKey(VoxCursor &cursor, std::uint32_t node) {
   VoxKey key;
+  std::int64_t rotation = key.rotation;
   std::optional<Error> problem;
   readDictionary(cursor, [&](std::string_view name, std::string_view value) {
     if (name == "_f" && !readIntegers(value, {&key.time, 1}))
-      problem = wrongKey(node, "time", value, "whole number");
-    else if (name == "_r")
-      key.rotation = static_cast<unsigned>(takeInteger(value).value_or(0));
+      problem = wrongKey(node, "time", value, "whole number of 32 bits");
+    else if (name == "_r" && (!readIntegers(value, {&rotation, 1}) || rotation < 0 || rotation > 255))
+      problem = wrongKey(node, "rotation", value, "whole number from 0 to 255");
     else if (name == "_t" && !readIntegers(value, key.translation))
-      problem = wrongKey(node, "place", value, "three whole numbers");
+      problem = wrongKey(node, "place", value, "three whole numbers of 32 bits");
   });
+  key.rotation = static_cast<unsigned>(rotation);
   if (problem && !cursor.failed())
     return *problem;
   return key;
+}
+
+/// Error: a node has more keys than there are frames.
+Expected<void> checkKeys(std::uint32_t count, std::uint32_t node) {
+  if (count <= kMostVoxFrames)
+    return {};
+  return Error::input("node " + std::to_string(node) + " has " + std::to_string(count) +
+                      " keys; there may be " + std::to_string(kMostVoxFrames));
 }
 
 /// What is read so far.
@@ -148,8 +159,10 @@ Expected<void> readTransform(VoxCursor &cursor, Reading &reading) {
   node.children = {cursor.word()};
   cursor.word();
   node.layer = static_cast<std::int32_t>(cursor.word());
+  const std::uint32_t count = cursor.count(4);
+  VOXC_TRY(checkKeys(count, number));
   std::vector<VoxKey> keys;
-  for (std::uint32_t left = cursor.count(4); left > 0 && !cursor.failed(); --left)
+  for (std::uint32_t left = count; left > 0 && !cursor.failed(); --left)
     keys.push_back(VOXC_TRY(readKey(cursor, number)));
   const VoxKey chosen = chooseKey(reading, std::move(keys), attributes.loops);
   const auto placement = Placement::fromByte(chosen.rotation);
@@ -181,6 +194,7 @@ Expected<void> readShape(VoxCursor &cursor, Reading &reading) {
   const std::uint32_t models = cursor.count(8);
   if (models == 0 && !cursor.failed())
     return Error::input("the shape " + std::to_string(number) + " has no model");
+  VOXC_TRY(checkKeys(models, number));
   std::vector<VoxKey> keys;
   for (std::uint32_t i = 0; i < models && !cursor.failed(); ++i) {
     const std::uint32_t model = cursor.word();

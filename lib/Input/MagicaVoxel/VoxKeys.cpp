@@ -44,11 +44,10 @@ VoxKey keyAt(std::vector<VoxKey> keys, bool loop, std::int32_t frame) {
 }
 
 std::int32_t framesOf(const std::vector<VoxKey> &keys) {
-  constexpr std::int64_t kMostFrames = 1 << 20;
   if (keys.size() < 2)
     return 1;
   const std::int64_t last = std::ranges::max_element(keys, {}, &VoxKey::time)->time;
-  return static_cast<std::int32_t>(std::clamp<std::int64_t>(last + 1, 1, kMostFrames));
+  return static_cast<std::int32_t>(std::clamp<std::int64_t>(last + 1, 1, kMostVoxFrames));
 }
 
 } // namespace voxc

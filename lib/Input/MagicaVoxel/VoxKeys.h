@@ -8,6 +8,9 @@
 
 namespace voxc {
 
+/// As many as are looked at.
+inline constexpr std::uint32_t kMostVoxFrames = 1 << 20;
+
 /// What a node says of a time: where it is, or which model it shows.
 struct VoxKey {
   std::int64_t time = 0; ///< Of 32 bits, as are places.

@@ -2,6 +2,7 @@
 #include "Input/Minecraft/BlockColours.h"
 #include "Input/Minecraft/BlockTables.h"
 
+#include <algorithm>
 #include <array>
 
 namespace voxc {
@@ -288,6 +289,10 @@ constexpr auto kOldKinds = std::to_array<OldKind>({{1, 1, "granite"},
                                                    {38, 1, "blue_orchid"},
                                                    {38, 2, "allium"},
                                                    {38, 3, "azure_bluet"},
+                                                   {38, 4, "red_tulip"},
+                                                   {38, 5, "orange_tulip"},
+                                                   {38, 6, "white_tulip"},
+                                                   {38, 7, "pink_tulip"},
                                                    {38, 8, "oxeye_daisy"},
                                                    {43, 1, "sandstone"},
                                                    {43, 2, "oak_planks"},
@@ -308,6 +313,10 @@ constexpr auto kOldKinds = std::to_array<OldKind>({{1, 1, "granite"},
                                                    {98, 1, "mossy_stone_bricks"},
                                                    {98, 2, "cracked_stone_bricks"},
                                                    {98, 3, "chiseled_stone_bricks"},
+                                                   {99, 10, "mushroom_stem"},
+                                                   {99, 15, "mushroom_stem"},
+                                                   {100, 10, "mushroom_stem"},
+                                                   {100, 15, "mushroom_stem"},
                                                    {139, 1, "mossy_cobblestone_wall"},
                                                    {168, 1, "prismarine_bricks"},
                                                    {168, 2, "dark_prismarine"},
@@ -326,16 +335,23 @@ unsigned woodOf(unsigned number, unsigned kind) {
   return kind & 7;
 }
 
+/// "" for what has none beside that of its number.
+std::string_view nameOfKind(unsigned number, unsigned kind) {
+  const auto row = std::ranges::find_if(
+      kOldKinds, [&](const OldKind &old) { return old.number == number && old.kind == kind; });
+  return row == kOldKinds.end() ? std::string_view() : row->name;
+}
+
 } // namespace
 
 std::optional<std::string> oldBlockName(unsigned number, unsigned kind) {
   if (number >= kOldNames.size() || kOldNames[number].empty())
     return std::nullopt;
-  // The highest bit of slabs says that they hang.
-  const unsigned half = number == 44 ? kind & 7 : kind;
-  for (const OldKind &row : kOldKinds)
-    if (row.number == number && row.kind == half)
-      return std::string(row.name);
+  if (const auto own = nameOfKind(number, kind); !own.empty())
+    return std::string(own);
+  // The highest bit of slabs says that they hang, and of double ones that they are smooth.
+  if (const auto slab = nameOfKind(number, kind & 7); !slab.empty() && (number == 43 || number == 44))
+    return std::string(slab);
   const std::string_view name = kOldNames[number];
   if (name.front() == '#')
     return std::string(blockDyes()[kind & 15].name) + std::string(name.substr(1));

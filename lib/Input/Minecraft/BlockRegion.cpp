@@ -45,11 +45,24 @@ std::uint64_t packedAt(std::span<const std::byte> data, unsigned bits, std::uint
 
 } // namespace
 
-std::uint32_t BlockRegion::numberAt(std::size_t block) const {
+std::uint32_t BlockRegion::storedAt(std::size_t block) const {
   const auto low = std::to_integer<std::uint32_t>(data[block]);
   const auto pair = more.empty() ? 0 : std::to_integer<std::uint32_t>(more[block / 2]);
   const auto kind = kinds.empty() ? 0 : std::to_integer<std::uint32_t>(kinds[block]) & 15;
   return ((block % 2 == 0 ? pair & 15 : pair >> 4) << 8 | low) << 4 | kind;
+}
+
+std::uint32_t BlockRegion::numberAt(std::size_t block) const {
+  constexpr std::uint32_t kPlant = 175, kUpper = 8; // The upper block says where it looks.
+  const auto isHalf = [](std::uint32_t number, std::uint32_t half) {
+    return number >> 4 == kPlant && (number & kUpper) == half;
+  };
+  const std::uint32_t number = storedAt(block);
+  if (!isHalf(number, kUpper))
+    return number;
+  const auto layer = static_cast<std::size_t>(size[0] * size[2]);
+  const std::uint32_t below = block < layer ? 0 : storedAt(block - layer);
+  return isHalf(below, 0) ? below : number & ~kUpper;
 }
 
 Expected<void> BlockRegion::forEachBlock(
@@ -74,8 +87,8 @@ Expected<void> BlockRegion::forEachBlock(
         if (coding == BlockCoding::Bytes)
           number = numberAt(static_cast<std::size_t>(index));
         if (number >= words.size())
-          return Error::input("a block has the number " + std::to_string(number) + ", but the palette has " +
-                              counted(words.size(), "kind"));
+          return Error::input("a block has the number " + std::to_string(number) +
+                              ", but those of the palette end at " + std::to_string(words.size() - 1));
         const std::uint32_t word = words[static_cast<std::size_t>(number)];
         if (word == kNoBlock)
           return Error::input("a block has the number " + std::to_string(number) +

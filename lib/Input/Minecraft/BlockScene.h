@@ -43,8 +43,11 @@ struct BlockRegion {
            static_cast<std::uint64_t>(size[2]);
   }
 
-  /// Of `Bytes`, whose arrays are long enough: a number of 12 bits, and behind it a kind of 4.
+  /// Of `Bytes`, whose arrays are long enough: a number of 12 bits, and behind it a kind of 4. Of a plant of
+  /// two blocks the upper one has the kind of the lower one.
   std::uint32_t numberAt(std::size_t block) const;
+  /// The same of each block as it stands there.
+  std::uint32_t storedAt(std::size_t block) const;
 
   /// Calls `visit(cell, word)` for each block that is no air, `cell` from (0, 0, 0) on. Errors: fewer numbers
   /// than blocks; a number that is none of the palette's; interrupted.

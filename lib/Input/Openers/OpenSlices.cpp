@@ -40,6 +40,7 @@ struct SliceStack {
   Slice slice;
   Int3 extent;
   std::shared_ptr<const ScratchCells> cells;
+  bool areWidened = false; ///< Its samples, to 8 bits.
   std::vector<std::string> warnings;
   std::optional<StackSpacing> spacing; ///< Of the first file that says one.
 };
@@ -60,18 +61,36 @@ Expected<void> checkExtent(Int3 extent, const InputOptions &options) {
   return {};
 }
 
+/// Samples of fewer bits as of 8, from black to white.
+void widen(std::span<std::byte> samples, unsigned bits) {
+  const unsigned white = (1u << bits) - 1;
+  for (std::byte &sample : samples)
+    sample = std::byte(std::to_integer<unsigned>(sample) * 255 / white);
+}
+
+/// Programs that make pictures small store each with as few bits as it needs.
+void widenStack(SliceStack &stack, std::span<std::byte> cells) {
+  widen(cells, stack.slice.bits);
+  stack.slice.bits = 8;
+  stack.warnings.emplace_back("its pictures have samples of several numbers of bits; all are taken as of 8");
+}
+
 /// Appends the next picture of a file to a stack.
 Expected<void> append(const Slice &slice, SliceReader &reader, const InputOptions &options, SliceStack &stack,
                       ScratchCells &cells) {
   if (stack.extent.z == 0)
     stack.slice = slice;
-  else if (slice != stack.slice)
+  else if (!slice.isLike(stack.slice))
     return Error::input("it has another size than the first, or colours or samples where that has others");
   stack.extent = {slice.width, slice.height, stack.extent.z + 1};
   VOXC_TRY(checkExtent(stack.extent, options));
   const std::uint64_t begin = cells.size();
   VOXC_TRY(cells.resize(begin + slice.bytes()));
   VOXC_TRY(reader.decode(cells.span().subspan(begin)));
+  if (slice.bits != stack.slice.bits && !std::exchange(stack.areWidened, true))
+    widenStack(stack, cells.span().first(begin));
+  if (stack.areWidened)
+    widen(cells.span().subspan(begin), slice.bits);
   options.memory->relieve(slice.bytes());
   return {};
 }

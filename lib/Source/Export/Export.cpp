@@ -32,7 +32,8 @@ struct ExportKind {
   const char *unit;        ///< What the file is made of,
   std::uint64_t bytesEach; ///< and how large each of them is.
   std::uint64_t (*count)(const Volume &volume);
-  WriteExport *write; ///< Null: the kind is no single file of voxels.
+  WriteExport *write;     ///< Null: the kind is no single file of voxels.
+  bool endsFirst = false; ///< Its file begins with what is known last, and cannot go into a pipe.
 };
 
 constexpr std::array<ExportKind, 9> kKinds{
@@ -48,14 +49,15 @@ constexpr std::array<ExportKind, 9> kKinds{
       "thousands of cells",
       4,
       gridThousands,
-      writeVtkImage},
+      writeVtkImage,
+      true},
      {{".nvdb", "a NanoVDB grid of RGBA8 values"}, "", 1, unknownSize, writeNanoVdb},
      {{".vdb", "OpenVDB grids of density and colour, where voxc was built with it"},
       "",
       1,
       unknownSize,
       nullptr},
-     {{".glb", "the visible faces as a mesh, merged"}, "", 1, unknownSize, writeSurface},
+     {{".glb", "the visible faces as a mesh, merged"}, "", 1, unknownSize, writeSurface, true},
      {{".png", "a picture for each z, as in s%04d.png"}, "", 1, unknownSize, nullptr}}};
 
 std::string knownEndings() {
@@ -80,6 +82,10 @@ Expected<void> checkSpace(const ExportKind &kind, const Volume &volume, const st
 
 Expected<void> writeFile(const ExportKind &kind, const Volume &volume, const std::string &path,
                          const ExportOptions &options, Exported &exported) {
+  const bool isRegular = VOXC_TRY(OutputFile::isRegularAt(path));
+  if (kind.endsFirst && !isRegular)
+    return Error::input("a " + std::string(kind.format.ending) +
+                        " file begins with what is known last; write it to a file, not to a pipe");
   VOXC_TRY(checkSpace(kind, volume, path));
   auto file = VOXC_TRY(OutputFile::create(path));
   VOXC_TRY(kind.write(volume, file, options, exported));
@@ -91,8 +97,9 @@ Expected<void> write(const ExportKind &kind, const Volume &volume, const std::st
   if (const auto pattern = NumberedPath::parse(path); pattern && kind.write == writeMagicaVoxel)
     return writeMagicaVoxelParts(volume, *pattern, options, exported);
   if (options.texture)
-    return writeFile({kind.format, kind.unit, kind.bytesEach, kind.count, writeTexturedSurface}, volume, path,
-                     options, exported);
+    return writeFile(
+        {kind.format, kind.unit, kind.bytesEach, kind.count, writeTexturedSurface, kind.endsFirst}, volume,
+        path, options, exported);
   if (kind.write)
     return writeFile(kind, volume, path, options, exported);
   if (kind.format.ending == ".png")

@@ -24,7 +24,7 @@ struct LinkEnd {
 };
 
 /// Follows symbolic links of a last part, one after another; what is no link leads to itself. Nothing, with
-/// `errno`, where they go around in a circle.
+/// `errno`, where they go around in a circle, or this process may not follow them.
 std::optional<LinkEnd> followLinks(const std::string &path);
 
 struct FileStatus {
@@ -57,8 +57,8 @@ bool writeThrough(int file);
 /// At once: what has the name `to` is there until then.
 bool renameOver(const std::string &from, const std::string &to);
 bool removeFile(const std::string &path);
-/// Gives an open file the permissions of the one at `path`, if it is there, and its owner where this process
-/// may do that. False with `errno` if that fails.
+/// Gives an open file the permissions of the one at `path`, if it is there, and its owner and group where
+/// this process may do that; another group has what all others have. False with `errno` if that fails.
 bool takeAccessOf(const std::string &path, int file);
 /// Has a file changed now.
 void touch(const std::string &path);

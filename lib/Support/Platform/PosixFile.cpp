@@ -29,6 +29,11 @@ bool isOfProcesses(const std::string &link) {
   return ::statfs(folderOf(link).c_str(), &system) == 0 && system.f_type == PROC_SUPER_MAGIC;
 }
 
+constexpr mode_t kPermissions = 0777;
+
+/// Permissions that give a group what all others have.
+mode_t forOthers(mode_t mode) { return (mode & (S_IRWXU | S_IRWXO)) | (mode & S_IRWXO) << 3; }
+
 /// What a link says; nothing if there is no link.
 std::optional<std::string> linkAt(const std::string &path) {
   char text[PATH_MAX];
@@ -45,6 +50,10 @@ PathKind kindOf(const std::string &path) {
 }
 
 std::optional<LinkEnd> followLinks(const std::string &path) {
+  struct stat status{};
+  // The system may forbid to follow a link of another user that may be read.
+  if (linkAt(path) && ::stat(path.c_str(), &status) != 0 && errno != ENOENT)
+    return std::nullopt;
   LinkEnd end{path};
   for (int links = 0; links <= kMostLinks; ++links) {
     const auto link = linkAt(end.path);
@@ -110,12 +119,15 @@ bool takeAccessOf(const std::string &path, int file) {
   if (::stat(path.c_str(), &status) != 0)
     return errno == ENOENT; // Someone else has removed it.
   // Before the permissions, which a new owner may take away. Most processes may not, and own what they make.
-  static_cast<void>(::fchown(file, status.st_uid, status.st_gid) == 0);
+  if (::fchown(file, status.st_uid, status.st_gid) != 0)
+    static_cast<void>(::fchown(file, static_cast<uid_t>(-1), status.st_gid) == 0);
   struct stat own{};
+  if (::fstat(file, &own) != 0)
+    return false;
+  const mode_t wanted =
+      own.st_gid == status.st_gid ? status.st_mode & kPermissions : forOthers(status.st_mode);
   // Some file systems have one set of permissions for all files, and refuse to be given any.
-  constexpr mode_t kPermissions = 0777;
-  return (::fstat(file, &own) == 0 && ((own.st_mode ^ status.st_mode) & kPermissions) == 0) ||
-         ::fchmod(file, status.st_mode & kPermissions) == 0;
+  return (own.st_mode & kPermissions) == wanted || ::fchmod(file, wanted) == 0;
 }
 
 void touch(const std::string &path) { ::utimensat(AT_FDCWD, path.c_str(), nullptr, 0); }

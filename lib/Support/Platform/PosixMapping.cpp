@@ -23,11 +23,10 @@ void letGo(std::span<const std::byte> mapped) {
 }
 
 bool makeWritable(std::span<const std::byte> bytes) {
-  const auto address = reinterpret_cast<std::uintptr_t>(bytes.data());
-  const std::uintptr_t begin = address / pageBytes() * pageBytes();
+  const std::size_t before = reinterpret_cast<std::uintptr_t>(bytes.data()) % pageBytes(); // In its page.
+  std::byte *const begin = const_cast<std::byte *>(bytes.data()) - before;
   // Mappings are private: what is written to is a copy.
-  return ::mprotect(reinterpret_cast<void *>(begin), address + bytes.size() - begin,
-                    PROT_READ | PROT_WRITE) == 0;
+  return ::mprotect(begin, before + bytes.size(), PROT_READ | PROT_WRITE) == 0;
 }
 
 } // namespace voxc::platform

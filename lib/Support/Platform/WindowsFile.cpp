@@ -1,6 +1,7 @@
 // Files by Windows.
 #include "File.h"
 
+#include "Path.h"
 #include "WindowsError.h"
 #include "WindowsHandle.h"
 #include "WindowsText.h"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
+#include <filesystem>
 #include <io.h>
 
 namespace voxc::platform {
@@ -70,7 +72,14 @@ PathKind kindOf(const std::string &path) {
 }
 
 /// Links are rare here; one is replaced.
-std::optional<LinkEnd> followLinks(const std::string &path) { return LinkEnd{path}; }
+std::optional<LinkEnd> followLinks(const std::string &path) {
+  std::error_code failure;
+  if (!std::filesystem::is_symlink(pathFrom(path), failure))
+    return LinkEnd{path};
+  const std::filesystem::path end = std::filesystem::weakly_canonical(pathFrom(path), failure);
+  errno = ELOOP;
+  return failure ? std::nullopt : std::optional(LinkEnd{utf8From(end)});
+}
 
 std::optional<FileStatus> statusOf(int file) {
   const HANDLE handle = handleOf(file);

@@ -6,13 +6,13 @@
 namespace voxc {
 namespace {
 
-constexpr std::size_t kHeaderWords = 16;
+constexpr std::size_t kHeaderWords = 16, kWordBytes = sizeof(std::uint32_t);
 
 /// Values as words, whatever they are.
 template <typename T> void append(std::vector<std::uint32_t> &words, const T &value) {
-  static_assert(sizeof(T) % sizeof(std::uint32_t) == 0);
+  static_assert(sizeof(T) % kWordBytes == 0);
   const std::size_t at = words.size();
-  words.resize(at + sizeof(T) / sizeof(std::uint32_t));
+  words.resize(at + sizeof(T) / kWordBytes);
   std::memcpy(&words[at], &value, sizeof(T));
 }
 

@@ -83,7 +83,8 @@ Expected<Format> BuildSession::suggestFormat(const std::string &device, const Co
                                              const Progress &progress, Json &figures) {
   if (!passes_.names().empty() || payload_.isAuto())
     return Error::usage("passes and payloads are chosen with the format; name a FORMAT to choose them");
-  SuggestRequest request{.input = input_, .arguments = inputArguments_, .device = device};
+  SuggestRequest request{
+      .input = input_, .arguments = inputArguments_, .hasAllFrames = frames_, .device = device};
   request.wish.maxBytes = std::min(maxWordsOf(buildArguments_), kMaxWords) * sizeof(std::uint32_t);
   request.memory = makeWorkingMemory(buildArguments_);
   const Stopwatch watch;

@@ -6,16 +6,21 @@
 #include "voxc/Support/Stopwatch.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace voxc::tool {
 
-Expected<Scene> readScene(const std::string &input, const InputArguments &arguments,
-                          const std::shared_ptr<WorkingMemory> &memory, const CommonOptions &common,
-                          const Progress &progress, Json &figures) {
+InputOptions sceneOptions(const InputArguments &arguments, std::shared_ptr<WorkingMemory> memory,
+                          const Progress &progress) {
   constexpr int kMost = 1 << kMaxLog2Extent;
   InputOptions options = makeInputOptions(arguments, {kMost, kMost, kMost});
-  options.memory = memory;
+  options.memory = std::move(memory);
   options.progress = progress;
+  return options;
+}
+
+Expected<Scene> readScene(const std::string &input, const InputOptions &options, const CommonOptions &common,
+                          Json &figures) {
   ToldSentences told;
   std::string provenance;
   const auto open = [&]() -> Expected<std::unique_ptr<VoxelSource>> {
@@ -25,7 +30,7 @@ Expected<Scene> readScene(const std::string &input, const InputArguments &argume
     return std::move(opened.source);
   };
   const Stopwatch watch;
-  Expected<SearchScene> scene = readSearchScene(input, open, memory, progress);
+  Expected<SearchScene> scene = readSearchScene(input, open, options.memory, options.progress);
   figures["read_seconds"] = watch.seconds();
   if (!scene)
     return scene.error();

@@ -18,10 +18,13 @@ struct Scene : SearchScene {
   ToldSentences told;     ///< Of the input.
 };
 
+/// How such an input is opened: by its arguments, of any size.
+InputOptions sceneOptions(const InputArguments &arguments, std::shared_ptr<WorkingMemory> memory,
+                          const Progress &progress);
+
 /// Reads an input. Figures of reading are added. Errors: those of inputs; an input without a voxel.
-Expected<Scene> readScene(const std::string &input, const InputArguments &arguments,
-                          const std::shared_ptr<WorkingMemory> &memory, const CommonOptions &common,
-                          const Progress &progress, Json &figures);
+Expected<Scene> readScene(const std::string &input, const InputOptions &options, const CommonOptions &common,
+                          Json &figures);
 
 /// The formats of a list (`readFormatList`), as `candidatesOf` takes them; those that voxc suggest
 /// knows if `list` is "". Errors: those of lists, a line that is no format.

@@ -31,7 +31,9 @@ Expected<Suggestion> makeSuggestion(const SuggestRequest &request, const CommonO
                                     const Progress &progress, Json &figures) {
   InputArguments arguments = request.arguments;
   fillResolution(arguments, request.input);
-  auto scene = VOXC_TRY(readScene(request.input, arguments, request.memory, common, progress, figures));
+  InputOptions options = sceneOptions(arguments, request.memory, progress);
+  options.boxOfAllFrames = request.hasAllFrames;
+  auto scene = VOXC_TRY(readScene(request.input, options, common, figures));
   scene.traits.editable = request.editable;
   auto candidates = VOXC_TRY(readCandidates(request.formatList, scene));
   auto rays = VOXC_TRY(readRaySets(request.rayFiles, scene));

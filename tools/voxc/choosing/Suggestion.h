@@ -15,7 +15,8 @@ namespace voxc::tool {
 
 struct SuggestRequest {
   std::string input;
-  InputArguments arguments; ///< Without a resolution it is the default.
+  InputArguments arguments;  ///< Without a resolution it is the default.
+  bool hasAllFrames = false; ///< Formats hold every frame of an animation; they are rated by the first one.
   Wish wish;
   bool editable = false; ///< Only formats that can be edited in place.
   std::string device = "cpu";

@@ -209,8 +209,7 @@ private:
            std::filesystem::exists(journalPathOf(volume_.path()), ignored);
   }
 
-  /// Writes the file under another name first, and says in the journal that it has all edits: whenever the
-  /// process ends, file and journal fit each other.
+  /// Writes the file under another name first.
   Expected<void> foldIn(EditJournal &journal, const std::shared_ptr<const Volume> &volume,
                         const std::vector<VoxelEdit> &edits, const Progress &progress, Json &figures) const {
     std::error_code failure;
@@ -219,12 +218,7 @@ private:
       own = std::filesystem::canonical(own, failure);
     const std::string folded = own.string() + ".folded";
     VOXC_TRY(edit(volume, edits, folded, progress, figures));
-    VOXC_TRY(journal.close(folded));
-    std::filesystem::permissions(folded, std::filesystem::status(own, failure).permissions(), failure);
-    std::filesystem::rename(folded, own, failure);
-    if (failure)
-      return Error::environment("cannot write '" + output_ + "': " + failure.message());
-    std::filesystem::remove(journalPathOf(volume_.path()), failure);
+    VOXC_TRY(journal.fold(folded));
     addWritten(figures, output_);
     return {};
   }

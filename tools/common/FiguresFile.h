@@ -1,0 +1,16 @@
+// Where the figures of a command may go.
+#pragma once
+
+#include "CommandLine.h"
+
+#include "voxc/Support/Error.h"
+
+namespace voxc::tool {
+
+/// Refuses a file for `--stats` that another option or word of the command names too, in whatever way: as
+/// part of an input (`V.hvx#2`, `raw:8x8x8:uint8:FILE`, `V.hvx@0,0,0`), through links, as one of a numbered
+/// set, or as the journal of a volume. Figures are written last, over whatever has their name. Pipes and
+/// devices take both. Error: `Usage`.
+Expected<void> checkFiguresFile(const CommandLine &command);
+
+} // namespace voxc::tool
