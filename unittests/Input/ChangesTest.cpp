@@ -118,7 +118,7 @@ TEST_F(ChangesTest, TheInsideOfLabelsIsALabel) {
 TEST_F(ChangesTest, LabelsAreThoseOfTheInput) {
   const auto save = [&](const std::string &provenance) {
     VolumeInfo info;
-    info.format = *parseFormat("R(1)");
+    info.format = *parseFormat("R(1, 1, 1)");
     info.extent = {2, 2, 2};
     info.voxels = 1;
     info.provenance = provenance;

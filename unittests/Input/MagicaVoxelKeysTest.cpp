@@ -123,7 +123,7 @@ TEST_F(MagicaVoxelKeys, ThatAreNoWholeNumbersAreErrors) {
                                                       "', which is no three whole numbers"));
   EXPECT_THAT(problemOf({{"_f", "1.5"}}), HasSubstr("node 0 has the time '1.5', which is no whole number"));
   EXPECT_THAT(problemOf({{"_r", "x"}}),
-              HasSubstr("has the rotation 'x', which is no whole number from 0 to 255"));
+              HasSubstr("has the rotation 'x', which is no whole number from 0 up"));
   EXPECT_THAT(problemOf({{"_r", "-1"}}), HasSubstr("the rotation '-1'"));
   EXPECT_THAT(problemOf({{"_r", "\n\x1b[31m"}}), HasSubstr("the rotation '??[31m'"));
   EXPECT_EQ(problemOf({{"_t", " +1 -2  3 "}, {"_f", "+0"}}), "none");

@@ -92,21 +92,21 @@ bool isGrey(const TiffPage &page) {
 
 namespace {
 
-struct TypeRow {
+struct TiffType {
   std::uint16_t bits, format;
   SampleType type;
 };
 
-constexpr std::array<TypeRow, 10> kTypes{{{8, SAMPLEFORMAT_UINT, SampleType::Uint8},
-                                          {8, SAMPLEFORMAT_INT, SampleType::Int8},
-                                          {16, SAMPLEFORMAT_UINT, SampleType::Uint16},
-                                          {16, SAMPLEFORMAT_INT, SampleType::Int16},
-                                          {32, SAMPLEFORMAT_UINT, SampleType::Uint32},
-                                          {32, SAMPLEFORMAT_INT, SampleType::Int32},
-                                          {64, SAMPLEFORMAT_UINT, SampleType::Uint64},
-                                          {64, SAMPLEFORMAT_INT, SampleType::Int64},
-                                          {32, SAMPLEFORMAT_IEEEFP, SampleType::Float32},
-                                          {64, SAMPLEFORMAT_IEEEFP, SampleType::Float64}}};
+constexpr std::array<TiffType, 10> kTiffTypes{{{8, SAMPLEFORMAT_UINT, SampleType::Uint8},
+                                               {8, SAMPLEFORMAT_INT, SampleType::Int8},
+                                               {16, SAMPLEFORMAT_UINT, SampleType::Uint16},
+                                               {16, SAMPLEFORMAT_INT, SampleType::Int16},
+                                               {32, SAMPLEFORMAT_UINT, SampleType::Uint32},
+                                               {32, SAMPLEFORMAT_INT, SampleType::Int32},
+                                               {64, SAMPLEFORMAT_UINT, SampleType::Uint64},
+                                               {64, SAMPLEFORMAT_INT, SampleType::Int64},
+                                               {32, SAMPLEFORMAT_IEEEFP, SampleType::Float32},
+                                               {64, SAMPLEFORMAT_IEEEFP, SampleType::Float64}}};
 
 } // namespace
 
@@ -114,7 +114,7 @@ std::optional<SampleType> sampleTypeOf(const TiffPage &page) {
   if (page.bits == 1 || page.bits == 2 || page.bits == 4)
     return SampleType::Uint8;
   const std::uint16_t format = page.format == SAMPLEFORMAT_VOID ? SAMPLEFORMAT_UINT : page.format;
-  for (const TypeRow &row : kTypes)
+  for (const TiffType &row : kTiffTypes)
     if (row.bits == page.bits && row.format == format)
       return row.type;
   return std::nullopt;

@@ -86,8 +86,8 @@ Expected<VoxKey> readKey(VoxCursor &cursor, std::uint32_t node) {
   readDictionary(cursor, [&](std::string_view name, std::string_view value) {
     if (name == "_f" && !readIntegers(value, {&key.time, 1}))
       problem = wrongKey(node, "time", value, "whole number of 32 bits");
-    else if (name == "_r" && (!readIntegers(value, {&rotation, 1}) || rotation < 0 || rotation > 255))
-      problem = wrongKey(node, "rotation", value, "whole number from 0 to 255");
+    else if (name == "_r" && (!readIntegers(value, {&rotation, 1}) || rotation < 0))
+      problem = wrongKey(node, "rotation", value, "whole number from 0 up");
     else if (name == "_t" && !readIntegers(value, key.translation))
       problem = wrongKey(node, "place", value, "three whole numbers of 32 bits");
   });
