@@ -66,6 +66,8 @@ public:
   Expected<void> run() override {
     VOXC_TRY(checkOutputFile(output_));
     VOXC_TRY(page_ ? page_->check(output_) : Expected<void>());
+    if (output_.ends_with(".hvx"))
+      VOXC_TRY(volume_.leaveOtherFrames(output_, common_));
     Expected<Volume> volume = volume_.load();
     if (!volume)
       return volume.error();
