@@ -54,7 +54,8 @@ Expected<DecodedImage> ImageDecoder::decode(std::span<const std::byte> bytes) {
   ScratchArray<std::uint32_t> texels(memory_);
   if (auto resized = texels.resize(static_cast<std::uint64_t>(size->texels())); !resized)
     return resized.error();
-  if (const std::string wrong = kind.decode(bytes, *size, texels.data()); !wrong.empty())
+  const auto decode = numbers_ == ImageNumbers::Stored && kind.decodeStored ? kind.decodeStored : kind.decode;
+  if (const std::string wrong = decode(bytes, *size, texels.data()); !wrong.empty())
     return Error::input("the image is broken: " + wrong);
   texelsLeft_ -= size->texels();
   libraryPeak_ = std::max(libraryPeak_, texels.size() * kind.libraryBytesATexel);

@@ -22,11 +22,14 @@ struct ImageKind {
   /// The size that the file claims; nothing if it has no header that makes sense.
   std::optional<ImageSize> (*readSize)(std::span<const std::byte> bytes);
   /// Writes RGBA8 texels of exactly that size. What is wrong, or nothing.
-  std::string (*decode)(std::span<const std::byte> bytes, ImageSize size, std::uint32_t *texels);
+  using Decode = std::string(std::span<const std::byte> bytes, ImageSize size, std::uint32_t *texels);
+  Decode *decode;
   /// What the library may hold beside the texels, a texel.
   std::uint64_t libraryBytesATexel;
   /// More texels than its compression can make of a byte. (Deflate: 1032 bytes, of one bit a texel.)
   std::int64_t mostTexelsAByte = 8400;
+  /// The same as `decode` whatever the image says of its gamma; null: `decode` does not ask for that.
+  Decode *decodeStored = nullptr;
 };
 
 /// By libpng, row by row.

@@ -76,6 +76,18 @@ std::optional<ImageSize> readOtherSize(std::span<const std::byte> bytes) {
   return size;
 }
 
+/// Does a TGA of four bytes a texel say that the fourth is no alpha? It has no sign but the size that it
+/// claims.
+bool isTgaWithoutAlpha(std::span<const std::byte> bytes, ImageSize size) {
+  constexpr std::size_t kHeaderBytes = 18;
+  if (bytes.size() < kHeaderBytes)
+    return false;
+  const auto at = [&](std::size_t i) { return std::to_integer<int>(bytes[i]); };
+  const bool isTgaOfColours = at(1) == 0 && (at(2) == 2 || at(2) == 10) && at(16) == 32;
+  const bool isOfSize = (at(12) | at(13) << 8) == size.width && (at(14) | at(15) << 8) == size.height;
+  return isTgaOfColours && isOfSize && (at(17) & 15) == 0;
+}
+
 std::string decodeOther(std::span<const std::byte> bytes, ImageSize size, std::uint32_t *texels) {
   library = {0, kLibraryBytes + static_cast<std::uint64_t>(size.texels()) * kLibraryBytesATexel};
   ImageSize decodedSize;
@@ -89,6 +101,9 @@ std::string decodeOther(std::span<const std::byte> bytes, ImageSize size, std::u
   if (decodedSize.width != size.width || decodedSize.height != size.height)
     return "it has two sizes";
   std::memcpy(texels, decoded.get(), static_cast<std::size_t>(size.texels()) * 4);
+  if (isTgaWithoutAlpha(bytes, size))
+    for (std::uint32_t &texel : std::span(texels, static_cast<std::size_t>(size.texels())))
+      texel |= 0xff000000;
   return {};
 }
 

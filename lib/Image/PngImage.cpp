@@ -14,8 +14,9 @@ std::optional<ImageSize> readPngSize(std::span<const std::byte> bytes) {
   return ImageSize{static_cast<int>((*png)->header().width), static_cast<int>((*png)->header().height)};
 }
 
+template <PngForm form>
 std::string decodePng(std::span<const std::byte> bytes, ImageSize size, std::uint32_t *texels) {
-  const auto png = openPng(bytes, PngForm::Texels);
+  const auto png = openPng(bytes, form);
   if (!png)
     return png.error().message;
   const auto decoded =
@@ -25,7 +26,11 @@ std::string decodePng(std::span<const std::byte> bytes, ImageSize size, std::uin
 
 } // namespace
 
-const ImageKind kPngImage{[](std::span<const std::byte> bytes) { return startsWith(bytes, "\x89PNG"); },
-                          readPngSize, decodePng, 0};
+const ImageKind kPngImage{
+    .recognises = [](std::span<const std::byte> bytes) { return startsWith(bytes, "\x89PNG"); },
+    .readSize = readPngSize,
+    .decode = decodePng<PngForm::Texels>,
+    .libraryBytesATexel = 0,
+    .decodeStored = decodePng<PngForm::Stored>};
 
 } // namespace voxc

@@ -14,7 +14,8 @@ namespace voxc {
 /// What the numbers of a picture become.
 enum class PngForm : std::uint8_t {
   Samples, ///< As they are: samples of grey, of 8 or 16 bits in this machine's byte order; others RGBA8.
-  Texels,  ///< RGBA8 in sRGB.
+  Texels,  ///< RGBA8 in sRGB, by what it says of its gamma and its profile.
+  Stored,  ///< RGBA8, whatever it says of them.
 };
 
 /// What a PNG says of itself before it is decoded.

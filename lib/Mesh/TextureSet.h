@@ -14,8 +14,9 @@ namespace voxc {
 /// Fills the textures of a scene. An image that is missing or broken becomes a warning and no texture.
 class TextureSet {
 public:
-  TextureSet(std::shared_ptr<WorkingMemory> memory, TriangleScene &scene, Warnings &warnings)
-      : memory_(std::move(memory)), decoder_(memory_), scene_(scene), warnings_(warnings) {}
+  TextureSet(std::shared_ptr<WorkingMemory> memory, TriangleScene &scene, Warnings &warnings,
+             ImageNumbers numbers = ImageNumbers::AsSaid)
+      : memory_(std::move(memory)), decoder_(memory_, numbers), scene_(scene), warnings_(warnings) {}
 
   /// Index of the texture of an image file, or -1. Errors: no memory.
   Expected<int> readFile(const std::string &path);

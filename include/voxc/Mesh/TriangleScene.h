@@ -58,6 +58,8 @@ struct MeshPart {
   PrimitiveMode mode = PrimitiveMode::Triangles;
   std::uint32_t material = 0;
 
+  /// Lines or points, which have no area.
+  bool isThin() const { return mode < PrimitiveMode::Triangles; }
   /// Number of primitives.
   std::uint64_t triangles() const;
   /// The vertices of a primitive.
@@ -102,7 +104,8 @@ enum class AlphaRule : std::uint8_t {
 struct Material {
   std::array<float, 4> colour{1, 1, 1, 1}; ///< The factor.
   TextureUse texture;
-  TextureUse alphaMask; ///< A texture whose red channel is the alpha (OBJ's map_d).
+  TextureUse alphaMask;          ///< A texture of which a channel is the alpha (OBJ's map_d):
+  std::uint8_t alphaChannel = 0; ///< 0 red, 1 green, 2 blue, 3 its own alpha.
   bool isLinear = false;
   AlphaRule alpha = AlphaRule::Kept;
   float alphaCutoff = 0.5;         ///< Below this alpha of texture and mask the surface is cut out.

@@ -2,6 +2,7 @@
 #include "Input/Points/PointList.h"
 
 #include "Input/Points/PointColour.h"
+#include "Support/Text.h"
 
 #include <algorithm>
 #include <bit>
@@ -15,6 +16,8 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
 constexpr std::uint64_t kPointsBetweenLooks = 1 << 12;
+/// Words from here up have an alpha above 0.
+constexpr std::uint32_t kLeastVisible = 1 << 24, kOpaque = 0xff000000;
 
 /// What points of PLY files have in common.
 class PlyPoints : public PointList {
@@ -36,6 +39,10 @@ public:
     colour_.take(use);
     for (std::string &sentence : use.warnings())
       sentences.push_back(std::move(sentence));
+    if (areInvisible_)
+      sentences.emplace_back("all colours are wholly transparent, and are taken for opaque");
+    if (bytesBehind_ != 0)
+      sentences.push_back(countedAre(bytesBehind_, "byte") + " left out, which lie behind the last element");
     return sentences;
   }
 
@@ -43,6 +50,8 @@ protected:
   const PlyElement &vertices_;
   PointColour colour_;
   std::array<std::size_t, 3> axes_{}; ///< The properties x, y and z.
+  bool areInvisible_ = false;         ///< Points have colours, and all of them an alpha of 0.
+  std::uint64_t bytesBehind_ = 0;     ///< The last element of the file.
 
 private:
   const PlyHeader &header_;
@@ -84,6 +93,7 @@ struct Table {
   const char *rows;
   std::uint64_t stride;
   std::vector<std::uint64_t> offsets; ///< Of each property in a row.
+  std::uint64_t bytesBehind = 0;      ///< The last element, where all have rows of one size.
 };
 
 /// The bytes of a row; nothing if it has a list, whose size differs from row to row.
@@ -97,28 +107,32 @@ std::optional<std::uint64_t> strideOf(const PlyElement &element) {
   return stride;
 }
 
+Table tableAt(const char *rows, const PlyElement &element) {
+  Table table{rows, 0, {}};
+  for (const PlyProperty &property : element.properties) {
+    table.offsets.push_back(table.stride);
+    table.stride += byteSize(property.type);
+  }
+  return table;
+}
+
 std::optional<Table> findTable(const PlyReader &reader, const PlyElement &vertices) {
   if (reader.header().encoding == PlyEncoding::Ascii)
     return std::nullopt;
+  std::optional<Table> table;
   std::string_view rest = reader.rest();
   for (const PlyElement &element : reader.header().elements) {
     const auto stride = strideOf(element);
     // The general reader says what is wrong with a count that does not fit.
     if (!stride || (element.count != 0 && (*stride == 0 || element.count > rest.size() / *stride)))
-      return std::nullopt;
-    if (&element != &vertices) {
-      rest.remove_prefix(element.count * *stride);
-      continue;
-    }
-    Table table{rest.data(), *stride, {}};
-    std::uint64_t offset = 0;
-    for (const PlyProperty &property : element.properties) {
-      table.offsets.push_back(offset);
-      offset += byteSize(property.type);
-    }
-    return table;
+      return table;
+    if (&element == &vertices)
+      table = tableAt(rest.data(), element);
+    rest.remove_prefix(element.count * *stride);
   }
-  return std::nullopt;
+  if (table)
+    table->bytesBehind = rest.size();
+  return table;
 }
 
 /// Points in the file.
@@ -131,6 +145,7 @@ public:
       if (const auto channel = colour_.colour().channel(i); channel && areBytes_)
         channels_[i] = table_.offsets[*channel];
     hasAlpha_ = colour_.colour().channel(3).has_value();
+    bytesBehind_ = table_.bytesBehind;
   }
 
   std::uint64_t size() const override { return vertices_.count; }
@@ -144,8 +159,7 @@ public:
                           &points[0].position[axis], sizeof(PlyPoint) / sizeof(double));
     PlyRow row;
     for (std::size_t i = 0; i < points.size(); ++i)
-      points[i].word =
-          areBytes_ ? bytesOf(rows + i * table_.stride) : colourOf(rows + i * table_.stride, row);
+      points[i].word = wordAt(rows + i * table_.stride, row) | (areInvisible_ ? kOpaque : 0);
   }
 
   /// Errors: interrupted.
@@ -157,10 +171,21 @@ public:
       load(table_.rows + i * table_.stride, row);
       colour_.colour().look(row);
     }
+    if (!colour_ || colour_.areSplats())
+      return {};
+    std::uint64_t hidden = 0;
+    while (hidden < vertices_.count && wordAt(table_.rows + hidden * table_.stride, row) < kLeastVisible)
+      if (++hidden % kPointsBetweenLooks == 0 && progress.stopped())
+        return Error::interrupted();
+    areInvisible_ = hidden > 0 && hidden == vertices_.count;
     return {};
   }
 
 private:
+  std::uint32_t wordAt(const char *row, PlyRow &values) const {
+    return areBytes_ ? bytesOf(row) : colourOf(row, values);
+  }
+
   /// Most files have a byte for each channel.
   std::uint32_t bytesOf(const char *row) const {
     const auto byte = [&](std::size_t channel) {
@@ -209,13 +234,21 @@ public:
       return progress.stopped() ? Expected<void>(Error::interrupted()) : Expected<void>();
     };
     VOXC_TRY(lookAtColours(reader, vertices_, colour_.colour(), pause));
-    return reader.readRows([&](const PlyElement &element, std::uint64_t number,
-                               const PlyRow &row) -> Expected<void> {
-      VOXC_TRY(pause(number));
-      if (&element != &vertices_)
-        return {};
-      return points_.push({{row.values[axes_[0]], row.values[axes_[1]], row.values[axes_[2]]}, colour_(row)});
-    });
+    std::uint64_t hidden = 0;
+    VOXC_TRY(reader.readRows(
+        [&](const PlyElement &element, std::uint64_t number, const PlyRow &row) -> Expected<void> {
+          VOXC_TRY(pause(number));
+          if (&element != &vertices_)
+            return {};
+          const std::uint32_t word = colour_(row);
+          hidden += word < kLeastVisible ? 1 : 0;
+          return points_.push({{row.values[axes_[0]], row.values[axes_[1]], row.values[axes_[2]]}, word});
+        }));
+    bytesBehind_ = reader.bytesBehind();
+    areInvisible_ = colour_ && !colour_.areSplats() && hidden > 0 && hidden == points_.size();
+    for (std::uint64_t i = 0; areInvisible_ && i < points_.size(); ++i)
+      points_[i].word |= kOpaque;
+    return {};
   }
 
 private:

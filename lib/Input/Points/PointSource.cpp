@@ -65,8 +65,11 @@ public:
     std::optional<Error> problem;
     auto passed = pass([&](const PlyPoint &point, std::uint64_t number) {
       if (!isInside(point.position, options_.mostExtent())) {
+        const bool isBelow = std::ranges::min(point.position) < 0;
         problem = broken_("point " + std::to_string(number) + " is the voxel " + listed(point.position) +
-                          ", but the format holds only " + extentText(options_.mostExtent()));
+                          (isBelow ? ", but whole numbers are voxels from 0 on; move the points, or declare "
+                                     "their coordinates as float"
+                                   : ", but the format holds only " + extentText(options_.mostExtent())));
         return false;
       }
       const Int3 voxel = cellAt(point.position);

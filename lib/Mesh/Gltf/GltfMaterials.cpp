@@ -44,7 +44,9 @@ void readAlpha(const GltfObject &json, Material &material) {
 } // namespace
 
 GltfMaterials::GltfMaterials(GltfContext &context, GltfBuffers &buffers)
-    : context_(context), buffers_(buffers), textures_(context.memory, context.scene, context.warnings),
+    : context_(context), buffers_(buffers),
+      textures_(context.memory, context.scene, context.warnings, ImageNumbers::Stored), // As glTF says.
+
       list_(context.root.list("materials")), textureList_(context.root.list("textures")),
       imageList_(context.root.list("images")), samplerList_(context.root.list("samplers")),
       known_(list_.size() + 1) {}

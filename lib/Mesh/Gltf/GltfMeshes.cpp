@@ -155,7 +155,10 @@ std::vector<GltfMorph> GltfMeshes::morphsOf(const GltfObject &primitive, const G
     if (pose.weights[i] == 0)
       continue;
     const GltfObject target = targets[i];
-    const AttributeView deltas = attribute(target, "POSITION", 3, 3, part);
+    // What is compressed is the primitive, and not its targets.
+    const auto index = target.index("POSITION", accessors_.list());
+    const AttributeView deltas =
+        index ? checked(target, "POSITION", *index, accessors_.view(*index), {3, 3}, part) : AttributeView();
     if (deltas)
       morphs.push_back({deltas, pose.weights[i]});
     if (target.has("COLOR_0") || target.has("TEXCOORD_0") || target.has("TEXCOORD_1"))
@@ -211,11 +214,15 @@ AttributeView GltfMeshes::rowsOf(const std::string &name, std::size_t index) con
 AttributeView GltfMeshes::attribute(const GltfObject &attributes, const std::string &name,
                                     std::uint8_t fewest, std::uint8_t most, const MeshPart &part) {
   const auto index = attributes.index(name, accessors_.list());
-  if (!index)
-    return {};
-  const AttributeView view = rowsOf(name, *index);
-  const std::string accessor = accessors_.list()[*index].name();
-  if (view && (view.components < fewest || view.components > most))
+  return index ? checked(attributes, name, *index, rowsOf(name, *index), {fewest, most}, part)
+               : AttributeView();
+}
+
+AttributeView GltfMeshes::checked(const GltfObject &attributes, const std::string &name, std::size_t index,
+                                  const AttributeView &view, std::array<std::uint8_t, 2> components,
+                                  const MeshPart &part) const {
+  const std::string accessor = accessors_.list()[index].name();
+  if (view && (view.components < components[0] || view.components > components[1]))
     attributes.problem("uses " + accessor + " as " + name + ", but it has " +
                        std::to_string(view.components) + " components");
   else if (part.positions && view.count < part.positions.count)

@@ -48,6 +48,10 @@ private:
   bool areAboveOne(const GltfObject &attributes, const AttributeView &colours);
   /// The rows of an attribute, of Draco's mesh if there is one that has it. `index` is that of its accessor.
   AttributeView rowsOf(const std::string &name, std::size_t index) const;
+  /// What an accessor gives for an attribute, after a look at its rows and how many numbers they have.
+  AttributeView checked(const GltfObject &attributes, const std::string &name, std::size_t index,
+                        const AttributeView &view, std::array<std::uint8_t, 2> components,
+                        const MeshPart &part) const;
   AttributeView attribute(const GltfObject &attributes, const std::string &name, std::uint8_t fewest,
                           std::uint8_t most, const MeshPart &part);
   AttributeView readIndices(const GltfObject &primitive);

@@ -41,8 +41,10 @@ private:
     const GltfList scenes = context_.root.list("scenes");
     if (const auto scene = context_.root.index("scene", scenes))
       pushAll(scenes[*scene].list("nodes"), {});
-    else
+    else if (scenes.size() == 0)
       pushAllRoots();
+    else
+      pushScenes(scenes);
     if (scenes.size() > 1 && !context_.root.has("scene"))
       context_.warnings.add("it has " + std::to_string(scenes.size()) +
                             " scenes and does not say which is shown; all are read as one");
@@ -102,6 +104,18 @@ private:
     for (std::size_t i = list.size(); i-- > 0;)
       if (const auto node = list.index(i, nodes_))
         push(*node, parent);
+  }
+
+  /// A node may be a root of several scenes, and is read once.
+  void pushScenes(const GltfList &scenes) {
+    std::set<std::size_t> pushed;
+    for (std::size_t scene = 0; scene < scenes.size(); ++scene) {
+      const GltfList roots = scenes[scene].list("nodes");
+      for (std::size_t i = 0; i < roots.size(); ++i)
+        if (const auto node = roots.index(i, nodes_); node && pushed.insert(*node).second)
+          push(*node, {});
+    }
+    std::ranges::reverse(pending_);
   }
 
   void push(std::size_t node, const Transform &parent) {

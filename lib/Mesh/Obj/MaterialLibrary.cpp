@@ -40,6 +40,9 @@ public:
     for (const MtlMaterial *material : read_)
       if (!material->ambientImage.empty() && material->ambientImage != material->texture.image)
         unused_.insert("map_Ka");
+    if (!earlier_.empty())
+      warnings_.add("the material library '" + library_ +
+                    "' has materials of a library before it, which hold: " + listed(earlier_));
     if (!repeated_.empty())
       warnings_.add("the material library '" + library_ +
                     "' says again what was said before; the last holds of " + listed(repeated_));
@@ -79,7 +82,7 @@ private:
     if (!material_ && lower != "newmtl")
       return warn("stands before any newmtl");
     if (lower != "newmtl" && !said_.insert(lower).second)
-      noteRepeated(std::string(word.substr(0, kLongestWord)) + " of '" + name_ + "'");
+      note(std::string(word.substr(0, kLongestWord)) + " of '" + name_ + "'", repeated_);
     (this->*statement->read)();
   }
 
@@ -97,16 +100,20 @@ private:
   void beginMaterial() {
     name_ = trimmed(rest_);
     said_.clear();
-    if (materials_.contains(name_))
-      noteRepeated("'" + name_ + "'");
-    material_ = &(materials_[name_] = {});
+    const auto [entry, isNew] = materials_.try_emplace(name_);
+    const bool isEarlier = !isNew && !read_.contains(&entry->second);
+    if (!isNew)
+      note("'" + name_ + "'", isEarlier ? earlier_ : repeated_);
+    material_ = isEarlier ? &leftOut_ : &entry->second;
+    *material_ = {};
     material_->folder = folder_;
-    read_.insert(material_);
+    if (!isEarlier)
+      read_.insert(material_);
   }
 
-  void noteRepeated(std::string what) {
-    if (repeated_.size() < kMostRepeated)
-      repeated_.insert(std::move(what));
+  static void note(std::string what, std::set<std::string> &notes) {
+    if (notes.size() < kMostRepeated)
+      notes.insert(std::move(what));
   }
 
   /// One number is grey.
@@ -201,6 +208,8 @@ private:
   std::set<const MtlMaterial *> read_;
   std::set<std::string> unused_;   ///< Statements and options.
   std::set<std::string> repeated_; ///< Materials, and statements of one, that were there before.
+  std::set<std::string> earlier_;  ///< Materials that a library before this one has,
+  MtlMaterial leftOut_;            ///< and what this one says of them.
   std::string name_;               ///< Of the material,
   std::set<std::string> said_;     ///< and its statements.
   std::string_view rest_;

@@ -37,6 +37,9 @@ bool ObjMaterials::addLibrary(std::string_view name) {
                   "' beside the model is taken");
   libraries_.insert(found->path);
   readMtl((*file)->text(), std::string(trimmed(name)), folderOf(found->path), known_, warnings_);
+  // It may have what was missing before.
+  std::erase_if(used_, [&](const auto &entry) { return missing_.contains(entry.first); });
+  missing_.clear();
   return true;
 }
 
@@ -73,8 +76,10 @@ std::uint32_t ObjMaterials::use(const std::string &name) {
   if (!isNew)
     return entry->second;
   const MtlMaterial *const found = name.empty() ? nullptr : find(name);
-  if (!found && !name.empty())
+  if (!found && !name.empty()) {
+    missing_.insert(name);
     warnings_.add("the material '" + name + "' is not defined; white stands in for it");
+  }
   scene_.materials.push_back(found ? makeMaterial(name, *found) : Material());
   return entry->second;
 }
@@ -86,6 +91,7 @@ Material ObjMaterials::makeMaterial(const std::string &name, const MtlMaterial &
   // A mask that is the texture itself means that texture's alpha, which counts anyway.
   if (found.alphaMask.image != found.texture.image)
     material.alphaMask = makeTexture(found.alphaMask, found.folder);
+  material.alphaChannel = found.alphaMask.channel;
   // Maya writes black beside a texture, and shows the texture.
   const bool isBlack =
       std::ranges::all_of(std::span(material.colour).first(3), [](float c) { return c == 0; });

@@ -47,6 +47,7 @@ private:
   bool askedForOwn_ = false;                  ///< The library that is called as the model was looked for.
   std::map<std::string, MtlMaterial> known_;
   std::map<std::string, std::uint32_t> used_;
+  std::set<std::string> missing_; ///< Those for which white stands in.
 };
 
 } // namespace voxc

@@ -53,8 +53,14 @@ bool isGain(const Arguments &arguments) {
 bool areZero(const Arguments &arguments) {
   return std::ranges::all_of(arguments.numbers, [](double number) { return number == 0; });
 }
-bool isMask(const Arguments &arguments) {
-  return std::string_view("rml").find(arguments.word) != std::string_view::npos;
+/// m is the matte, which is alpha.
+constexpr std::string_view kChannels = "rgbm";
+bool isChannel(const Arguments &arguments) {
+  return arguments.word.size() == 1 && kChannels.find(arguments.word) != std::string_view::npos;
+}
+void takeChannel(const Arguments &arguments, MtlTexture &texture) {
+  if (isChannel(arguments))
+    texture.channel = static_cast<std::uint8_t>(kChannels.find(arguments.word));
 }
 bool never(const Arguments &) { return false; }
 
@@ -69,7 +75,7 @@ constexpr std::array<OptionRow, 14> kOptions{{{"-clamp", false, takeClamp, alway
                                               {"-blendu", false, nullptr, always},
                                               {"-blendv", false, nullptr, always},
                                               {"-cc", false, nullptr, isOff},
-                                              {"-imfchan", false, nullptr, isMask},
+                                              {"-imfchan", false, takeChannel, isChannel},
                                               {"-colorspace", false, nullptr, isSrgb},
                                               {"-type", false, nullptr, never}}};
 

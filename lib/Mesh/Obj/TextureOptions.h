@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <set>
 #include <string>
 #include <string_view>
@@ -14,6 +15,7 @@ struct MtlTexture {
   std::string
       otherwise; ///< The same with options that are not known, which may belong to the name; or empty.
   bool clamp = false;
+  std::uint8_t channel = 0; ///< Of a mask: red, green, blue or alpha.
   std::array<float, 2> scale{1, 1};
   std::array<float, 2> offset{0, 0};
 };

@@ -44,6 +44,9 @@ private:
   WorkingMemory &memory_;
 };
 
+/// Which rows of a file are taken.
+enum class Rows { All, Vertices, Others };
+
 class SceneBuilder {
 public:
   SceneBuilder(const PlyHeader &header, const MeshInput &input)
@@ -85,6 +88,21 @@ public:
       addFace(index, row);
     else if (&element == &strips_)
       addStrips(index, row.lists[*stripCorners_]);
+  }
+
+  /// Adds the rows of all elements, or some of them.
+  Expected<void> addAll(PlyReader &reader, Rows rows) {
+    return reader.readRows(
+        [&](const PlyElement &element, std::uint64_t index, const PlyRow &row) -> Expected<void> {
+          const Rows kind = &element == &vertices_.element() ? Rows::Vertices : Rows::Others;
+          if (rows == Rows::All || rows == kind)
+            add(element, index, row);
+          return problem_ ? Expected<void>(problem_.error()) : Expected<void>();
+        });
+  }
+
+  bool hasFacesFirst() const {
+    return faces_.count != 0 && &faces_ < &vertices_.element(); // Elements lie in their order.
   }
 
   const Problem &problem() const { return problem_; }
@@ -163,7 +181,6 @@ private:
       looks_.read(row, corners.size());
     if (corners.size() == 3)
       return addPiece(corners, {0, 1, 2});
-    // A file may name its faces before its vertices; their shape is not known then, and they become fans.
     points_.clear();
     for (const double corner : corners)
       points_.push_back(vertices_.positionOf(static_cast<std::uint64_t>(corner)));
@@ -187,7 +204,8 @@ private:
       } else if (!isVertex(corners[i])) {
         return noVertex("strip", index, corners[i]);
       } else if (i >= begin + 2) {
-        addTriangle(corners[i - 2], corners[i - 1], corners[i]);
+        const bool isTurned = (i - begin) % 2 != 0; // Every second one of a strip is, as it is stored.
+        addTriangle(corners[i - 2 + isTurned], corners[i - 1 - isTurned], corners[i]);
         if (looks_.isUsed())
           looks_.addPlain();
       }
@@ -224,11 +242,13 @@ Expected<TriangleScene> readPlyScene(const MeshInput &input) {
     return reader.broken(missing);
   const Watch watch(reader.bytes(), *input.memory);
   VOXC_TRY(builder.lookAhead(reader));
-  auto read = reader.readRows(
-      [&](const PlyElement &element, std::uint64_t index, const PlyRow &row) -> Expected<void> {
-        builder.add(element, index, row);
-        return builder.problem() ? Expected<void>(builder.problem().error()) : Expected<void>();
-      });
+  // A file may name its faces before its vertices, without which their shape is not known.
+  const bool hasFacesFirst = builder.hasFacesFirst();
+  if (hasFacesFirst) {
+    auto ahead = VOXC_TRY(reader.reopened());
+    VOXC_TRY(builder.addAll(ahead, Rows::Vertices));
+  }
+  const auto read = builder.addAll(reader, hasFacesFirst ? Rows::Others : Rows::All);
   if (builder.problem() && builder.problem().error().kind == ErrorKind::Input)
     return reader.broken(builder.problem().error().message);
   if (!read)

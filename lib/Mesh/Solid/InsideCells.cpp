@@ -60,7 +60,7 @@ Expected<ScratchArray<BrickCells>> voxelsOfCaps(const ClosedMesh &mesh, const Vo
       memory->relieve();
     }
     cursor.moveTo(number);
-    rule.cover(mesh.model.snapped(cursor), false, {{}, mesh.model.extent()}, masks);
+    rule.cover(mesh.model.snapped(cursor), {}, {{}, mesh.model.extent()}, masks);
     Expected<void> added;
     for (const CellMask &mask : masks)
       forEachCell(mask, [&](Int3 cell) {

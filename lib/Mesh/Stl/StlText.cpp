@@ -30,6 +30,8 @@ public:
     }
     if (!problem_ && isInside_)
       wrong("it ends inside a facet");
+    if (!problem_)
+      checkClosed();
   }
 
 private:
@@ -71,12 +73,21 @@ private:
 
   /// "normal" and three numbers, which mean nothing.
   void beginFacet() {
+    checkClosed();
     isInside_ = true;
     for (int i = 0; i < 4; ++i)
       takeWord(rest_);
   }
 
-  void endFacet() { isInside_ = false; }
+  void endFacet() {
+    checkClosed();
+    isInside_ = false;
+  }
+
+  void checkClosed() {
+    if (!loop_.empty())
+      wrong("a loop of " + std::to_string(loop_.size()) + " vertices is not closed by endloop");
+  }
 
   void endLoop() {
     if (loop_.size() < 3)

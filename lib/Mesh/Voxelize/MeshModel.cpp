@@ -25,8 +25,7 @@ Expected<MeshModel> MeshModel::open(const TriangleScene &scene, const VoxelizeOp
   return MeshModel{std::move(numbers), grid};
 }
 
-SnappedTriangle MeshModel::snapped(const TriangleCursor &cursor) const {
-  const std::array<glm::dvec3, 3> corners = cursor.corners();
+SnappedTriangle MeshModel::snapped(const std::array<glm::dvec3, 3> &corners) const {
   return {{grid.snap(corners[0]), grid.snap(corners[1]), grid.snap(corners[2])}};
 }
 

@@ -18,7 +18,8 @@ struct MeshModel {
   Int3 extent() const { return grid.frame().extent(); }
 
   /// The triangle at which `cursor` stands.
-  SnappedTriangle snapped(const TriangleCursor &cursor) const;
+  SnappedTriangle snapped(const std::array<glm::dvec3, 3> &corners) const;
+  SnappedTriangle snapped(const TriangleCursor &cursor) const { return snapped(cursor.corners()); }
 
   /// The corners of a snapped triangle in voxels, without rounding.
   std::array<glm::dvec3, 3> inVoxels(const SnappedTriangle &triangle) const;

@@ -171,7 +171,7 @@ private:
   }
 
   void propose(const SnappedTriangle &triangle, const CellRange &within) {
-    mesh_->rule.cover(triangle, cursor_.isMirrored(), within, masks_);
+    mesh_->rule.cover(triangle, {cursor_.isMirrored(), cursor_.part().isThin()}, within, masks_);
     if (masks_.empty())
       return;
     colour_.moveTo(cursor_);

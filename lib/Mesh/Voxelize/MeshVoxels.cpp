@@ -55,7 +55,10 @@ Expected<void> forEachChunk(const MeshVoxels &mesh, const Region &region, double
       if (number % kProgressStep == 0)
         mesh.progress.at("bin", done + 0.5 * static_cast<double>(number) / static_cast<double>(count));
       cursor.moveTo(number);
-      coverCells(mesh.model.snapped(cursor), shape, region.chunks, masks);
+      const std::array<glm::dvec3, 3> corners = cursor.corners();
+      if (cursor.isCollapsed(corners))
+        continue;
+      coverCells(mesh.model.snapped(corners), shape, region.chunks, masks);
       for (const CellMask &mask : masks)
         forEachCell(mask, [&](Int3 chunk) { visit(chunk, static_cast<std::uint32_t>(number)); });
     }

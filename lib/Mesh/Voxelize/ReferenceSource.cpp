@@ -75,16 +75,20 @@ public:
       : model_(model), cursor_(scene, model.numbers), colour_(scene, means),
         side_(std::int64_t{1} << model.grid.bits()), isInner_(coverage == Coverage::Inner), facing_(facing) {
     const std::int64_t half = side_ / 2;
+    cube_ = {half, half, half};
     if (coverage != Coverage::Thin && coverage != Coverage::Inner)
-      boxes_ = {{half, half, half}};
+      boxes_ = {cube_};
     else
       boxes_ = {{half, 0, 0}, {0, half, 0}, {0, 0, half}};
   }
 
   void add(std::uint32_t number) {
     cursor_.moveTo(number);
+    const std::array<glm::dvec3, 3> modelCorners = cursor_.corners();
+    if (cursor_.isCollapsed(modelCorners))
+      return;
     colour_.moveTo(cursor_);
-    const SnappedTriangle triangle = model_.snapped(cursor_);
+    const SnappedTriangle triangle = model_.snapped(modelCorners);
     const std::vector<SeparatingAxis> axes = separatingAxes(triangle);
     corners_ = model_.inVoxels(triangle);
     const NearestPoints nearest(corners_);
@@ -129,6 +133,8 @@ private:
     Point64 centre;
     for (int axis = 0; axis < 3; ++axis)
       centre[static_cast<std::size_t>(axis)] = voxel[axis] * side_ + side_ / 2;
+    if (cursor_.part().isThin()) // The same by every rule.
+      return touches(axes, centre, cube_);
     for (std::size_t box = 0; box < boxes_.size(); ++box)
       if (touches(axes, centre, boxes_[box]) && (!isInner_ || !isLeftOut(triangle, axes, box, voxel, centre)))
         return true;
@@ -187,6 +193,7 @@ private:
   TriangleCursor cursor_;
   SurfaceColour colour_;
   std::int64_t side_; ///< Of a voxel, in steps of the grid.
+  Point64 cube_;
   std::vector<Point64> boxes_;
   bool isInner_;
   Facing facing_;

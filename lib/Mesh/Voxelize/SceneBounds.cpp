@@ -66,17 +66,19 @@ Expected<Bounds> boundsOf(const TriangleScene &scene, const TriangleNumbers &num
     for (const std::uint32_t vertex : cursor.vertices())
       if (vertex >= cursor.part().positions.count)
         return Error::input("the mesh has a triangle with a vertex that does not exist");
-    for (const glm::dvec3 &corner : cursor.corners()) {
-      if (!isFinite(corner))
-        return Error::input("the mesh has a vertex whose coordinates are not finite numbers");
-      builder.add(corner);
-    }
+    const std::array<glm::dvec3, 3> corners = cursor.corners();
+    if (!std::ranges::all_of(corners, [](const glm::dvec3 &corner) { return isFinite(corner); }))
+      return Error::input("the mesh has a vertex whose coordinates are not finite numbers");
+    if (!cursor.isCollapsed(corners))
+      std::ranges::for_each(corners, [&](const glm::dvec3 &corner) { builder.add(corner); });
     if (number % kStep == 0) {
       VOXC_TRY(progress.check());
       if (memory)
         memory->relieve();
     }
   }
+  if (!builder.bounds())
+    return Error::input("the mesh has no triangle with an area: two corners of each lie in one place");
   return *builder.bounds();
 }
 

@@ -145,9 +145,10 @@ void SurfaceColour::sample(const TextureUse &use, const CornerUvs &uvs, std::spa
   if (use.texture < 0)
     return texels.assign(weights.size(), kWhiteWord);
   const Texture &texture = scene_.textures[static_cast<std::size_t>(use.texture)];
+  const UvEnds ends(use, uvs);
   places_.clear();
   for (const glm::dvec3 &point : weights)
-    places_.push_back(texelAt(texture, use, mappedUv(use, mixed(uvs, point))));
+    places_.push_back(texelAt(texture, use, ends.within(mappedUv(use, mixed(uvs, point)))));
   const std::uint32_t *first = texture.texels->data();
   texels.clear();
   for (const std::uint64_t place : places_)
@@ -173,7 +174,8 @@ void SurfaceColour::average(const Footprint &footprint, const TextureUse &use, b
 }
 
 std::uint32_t SurfaceColour::shaded(std::size_t point, const glm::dvec3 &weights) const {
-  const double textureAlpha = kFractions[texels_[point] >> 24] * kFractions[masks_[point] & 255];
+  const double textureAlpha =
+      kFractions[texels_[point] >> 24] * kFractions[masks_[point] >> 8 * material_->alphaChannel & 255];
   if (isPlain_)
     return withAlpha(texels_[point], alphaByte(*material_, textureAlpha, 1));
   const Colour vertices = part_->colours ? mixed(colours_, weights) : kWhite;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace voxc {
 
@@ -41,6 +42,24 @@ double fractionOf(double value) {
 std::array<double, 2> mappedUv(const TextureUse &use, const std::array<double, 2> &uv) {
   const std::array<float, 6> &m = use.matrix;
   return {m[0] * uv[0] + m[1] * uv[1] + m[2], m[3] * uv[0] + m[4] * uv[1] + m[5]};
+}
+
+UvEnds::UvEnds(const TextureUse &use, const std::array<std::array<double, 2>, 3> &corners) {
+  low_ = high_ = mappedUv(use, corners[0]);
+  for (const std::array<double, 2> &corner : std::span(corners).last(2))
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const double place = mappedUv(use, corner)[axis];
+      low_[axis] = std::min(low_[axis], place);
+      high_[axis] = std::max(high_[axis], place);
+    }
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    if (low_[axis] < high_[axis])
+      high_[axis] = std::nextafter(high_[axis], low_[axis]);
+}
+
+std::array<double, 2> UvEnds::within(const std::array<double, 2> &mapped) const {
+  // In this order what is no number stays so.
+  return {std::max(std::min(mapped[0], high_[0]), low_[0]), std::max(std::min(mapped[1], high_[1]), low_[1])};
 }
 
 std::uint64_t texelAt(const Texture &texture, const TextureUse &use, const std::array<double, 2> &mapped) {

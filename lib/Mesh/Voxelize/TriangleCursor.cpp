@@ -93,4 +93,9 @@ std::array<glm::dvec3, 3> TriangleCursor::corners() const {
   return corners;
 }
 
+bool TriangleCursor::isCollapsed(const std::array<glm::dvec3, 3> &corners) const {
+  const auto &[a, b, c] = corners;
+  return !part_->isThin() && (a == b || b == c || c == a);
+}
+
 } // namespace voxc

@@ -41,6 +41,9 @@ public:
   const std::array<std::uint32_t, 3> &vertices() const { return vertices_; }
   /// The corners, at the instance's place in the model. The vertices must exist.
   std::array<glm::dvec3, 3> corners() const;
+  /// Has a triangle with these corners nothing to show? Only points and lines are without an area: of a
+  /// triangle with two corners in one place, as strips have them between parts of theirs, nothing is seen.
+  bool isCollapsed(const std::array<glm::dvec3, 3> &corners) const;
 
 private:
   void enter(std::size_t instance);

@@ -33,13 +33,15 @@ bool runsAlong(const SnappedTriangle &triangle, std::size_t axis) {
 } // namespace
 
 VoxelRule::VoxelRule(Coverage coverage, int bits, Facing facing, Int3 extent)
-    : shape_(coverage == Coverage::Thin ? CellShape::cross(bits) : CellShape::cube(bits)),
+    : cube_(CellShape::cube(bits)), shape_(coverage == Coverage::Thin ? CellShape::cross(bits) : cube_),
       isInner_(coverage == Coverage::Inner), facing_(facing), extent_(extent) {}
 
-void VoxelRule::cover(const SnappedTriangle &triangle, bool isMirrored, const CellRange &within,
+void VoxelRule::cover(const SnappedTriangle &triangle, TriangleKind kind, const CellRange &within,
                       std::vector<CellMask> &masks) const {
-  if (isInner_)
-    coverSegments(triangle, shape_.log2Side, endsOf(triangle, isMirrored), within, masks);
+  if (kind.isThin)
+    coverCells(triangle, cube_, within, masks);
+  else if (isInner_)
+    coverSegments(triangle, shape_.log2Side, endsOf(triangle, kind.isMirrored), within, masks);
   else
     coverCells(triangle, shape_, within, masks);
 }

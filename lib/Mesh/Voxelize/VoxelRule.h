@@ -16,6 +16,12 @@ enum class Facing : std::uint8_t {
   Inwards,
 };
 
+/// What a rule asks of a triangle beside its corners.
+struct TriangleKind {
+  bool isMirrored = false; ///< The place of its instance makes it turn the other way.
+  bool isThin = false;     ///< It is a line or a point, which every rule takes as the conservative one does.
+};
+
 /// A rule, of which only `Coverage::Inner` asks how the mesh faces and where the volume ends.
 class VoxelRule {
 public:
@@ -23,15 +29,14 @@ public:
   /// that is inside is for `centreMesh` to say.
   VoxelRule(Coverage coverage, int bits, Facing facing, Int3 extent);
 
-  /// Sets `masks` to the voxels of `within`. A triangle is mirrored if the place of its instance makes it
-  /// turn the other way.
-  void cover(const SnappedTriangle &triangle, bool isMirrored, const CellRange &within,
+  /// Sets `masks` to the voxels of `within`.
+  void cover(const SnappedTriangle &triangle, TriangleKind kind, const CellRange &within,
              std::vector<CellMask> &masks) const;
 
 private:
   SegmentEnds endsOf(const SnappedTriangle &triangle, bool isMirrored) const;
 
-  CellShape shape_;
+  CellShape cube_, shape_;
   bool isInner_;
   Facing facing_;
   Int3 extent_;
