@@ -91,6 +91,30 @@ TEST_F(Images, SixteenBitsAndPalettes) {
   EXPECT_EQ(texelsOf(*image), (std::vector<std::uint32_t>{0xff00ff00, 0x800000ff}));
 }
 
+/// Of what a picture says of its gamma, formats ask or do not: glTF does not.
+TEST_F(Images, NumbersMayStayAsTheyAreStored) {
+  std::string bytes = contentOf(VOXC_UNITTESTS_DIR "/Mesh/Corpus/image/gray16.png");
+  constexpr std::size_t kBehindHeader = 33;
+  bytes.insert(kBehindHeader, std::string("\0\0\0\4gAMA\0\1\206\240\61\350\226\137", 16)); // 1.
+  const auto said = decode(bytes);
+  ASSERT_TRUE(said) << said.error().message;
+  EXPECT_EQ(texelsOf(*said)[0], 0xffbcbcbc);
+  ImageDecoder stored(WorkingMemory::create(std::uint64_t{1} << 20), ImageNumbers::Stored);
+  const auto image = stored.decode({reinterpret_cast<const std::byte *>(bytes.data()), bytes.size()});
+  ASSERT_TRUE(image) << image.error().message;
+  EXPECT_EQ(texelsOf(*image), (std::vector<std::uint32_t>{0xff808080, 0xff101010}));
+}
+
+/// The header of a TGA says how many of its bits are alpha.
+TEST_F(Images, OfATgaWithoutAlphaTheFourthByteIsNone) {
+  std::string bytes("\0\0\2\0\0\0\0\0\0\0\0\0\2\0\1\0\40\40\0\0\377\0\0\377\0\100", 26);
+  const auto image = decode(bytes);
+  ASSERT_TRUE(image) << image.error().message;
+  EXPECT_EQ(texelsOf(*image), (std::vector<std::uint32_t>{0xff0000ff, 0xff00ff00}));
+  bytes[17] = '\50';
+  EXPECT_EQ(texelsOf(*decode(bytes)), (std::vector<std::uint32_t>{0x000000ff, 0x4000ff00}));
+}
+
 TEST_F(Images, BrokenOnesSayWhy) {
   EXPECT_THAT(problem("empty.png"), HasSubstr("no PNG, JPEG, WebP, BMP or TGA"));
   EXPECT_THAT(problem("wide.png"), HasSubstr("20000x1 texels, but none may have more than 16384 a side"));

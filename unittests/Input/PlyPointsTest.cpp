@@ -227,7 +227,39 @@ TEST_F(PlyPoints, CoordinatesOfMapsAreKept) {
 TEST_F(PlyPoints, IndexOutsideTheFormatIsAnError) {
   const std::string text = header("ascii", "1", kIndexProperties);
   EXPECT_NE(problem(text + "512 0 0 1 1 1\n").find("512, 0, 0"), std::string::npos);
-  EXPECT_NE(problem(text + "0 -1 0 1 1 1\n").find("0, -1, 0"), std::string::npos);
+  EXPECT_NE(
+      problem(text + "0 -1 0 1 1 1\n").find("the voxel 0, -1, 0, but whole numbers are voxels from 0 on"),
+      std::string::npos);
+}
+
+TEST_F(PlyPoints, OfPointsThatAreAllTransparentAlphaSaysNothing) {
+  const std::string properties = std::string(kIndexProperties) + "property uchar alpha\n";
+  const Voxels expected{{0, rgba(0, 0, 0)}, {1, rgba(1, 2, 3)}};
+  auto input = open(header("ascii", "2", properties) + "0 0 0 0 0 0 0\n1 0 0 1 2 3 0\n");
+  ASSERT_TRUE(input) << input.error().message;
+  EXPECT_EQ(voxelsOf(*input->source), expected);
+  EXPECT_EQ(input->warnings,
+            std::vector<std::string>{"all colours are wholly transparent, and are taken for opaque"});
+  std::string bytes = header("binary_little_endian", "2", properties);
+  for (const int x : {0, 1}) {
+    for (const int coordinate : {x, 0, 0})
+      append(bytes, coordinate, false);
+    bytes += {static_cast<char>(x), static_cast<char>(2 * x), static_cast<char>(3 * x), 0};
+  }
+  EXPECT_EQ(voxels(bytes), expected);
+}
+
+TEST_F(PlyPoints, BytesBehindThemAreTold) {
+  const std::vector<std::string> told{"6 bytes are left out, which lie behind the last element"};
+  auto text = open(header("ascii", "1", kIndexProperties) + "3 4 5 10 20 30\n0 50 1\n");
+  ASSERT_TRUE(text) << text.error().message;
+  EXPECT_EQ(text->warnings, told);
+  std::string bytes = header("binary_little_endian", "1", kIndexProperties);
+  for (const int value : {3, 4, 5})
+    append(bytes, value, false);
+  auto binary = open(bytes + "abcdefghi");
+  ASSERT_TRUE(binary) << binary.error().message;
+  EXPECT_EQ(binary->warnings, told);
 }
 
 TEST_F(PlyPoints, NoPointsAreNoVoxels) {

@@ -122,6 +122,23 @@ TEST_F(CompressedGltf, DracoIsDecoded) {
   }
 }
 
+/// Targets are not compressed: one that has no data moves nothing.
+TEST_F(CompressedGltf, TargetsOfDracoAreTheirOwn) {
+  const GridMesh mesh(15);
+  std::string model = dracoModel(mesh, dracoBytes(mesh, draco::MESH_SEQUENTIAL_ENCODING), kIds);
+  const std::string binary = model.substr(model.find(std::string("BIN\0", 4)) + 4);
+  std::string json = model.substr(20, model.find(std::string("BIN\0", 4)) - 24);
+  const auto insert = [&](const std::string &behind, const std::string &what) {
+    json.insert(json.find(behind) + behind.size(), what);
+  };
+  insert(R"("meshes":[{)", R"("weights":[1],)");
+  insert(R"("indices":2,)", R"("targets":[{"POSITION":3}],)");
+  json.insert(json.find(R"(],"bufferViews")"),
+              R"(,{"componentType":5126,"type":"VEC3","count":)" + std::to_string(mesh.points()) + "}");
+  const TriangleScene scene = load("m.glb", glb(json, binary));
+  EXPECT_EQ(sorted(trianglesOf(scene)), mesh.triangles());
+}
+
 TEST_F(CompressedGltf, BrokenDracoIsAnError) {
   const GridMesh mesh(15);
   const std::string bytes = dracoBytes(mesh, draco::MESH_EDGEBREAKER_ENCODING);

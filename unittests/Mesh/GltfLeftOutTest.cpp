@@ -56,6 +56,14 @@ TEST_F(GltfLeftOut, ScenesWithoutADefaultAreReadAsOne) {
     "nodes":[{"mesh":0},{"mesh":0}])");
   EXPECT_EQ(countTriangles(scene), 2u);
   EXPECT_THAT(scene.warnings, ElementsAre(HasSubstr("it has 2 scenes and does not say which is shown")));
+  // What no scene lists is not shown, whether or not one is said; a node may be in several.
+  const TriangleScene one =
+      model(R"("materials":[{}],"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0},{"mesh":0}])");
+  EXPECT_EQ(countTriangles(one), 1u);
+  EXPECT_THAT(one.warnings, ElementsAre(HasSubstr("scene that is shown are left out: 1 node")));
+  EXPECT_EQ(countTriangles(model(R"("materials":[{}],"scenes":[{"nodes":[0]},{"nodes":[1,0]}],
+    "nodes":[{"mesh":0},{"mesh":0}])")),
+            2u);
 }
 
 TEST_F(GltfLeftOut, HiddenNodesAreHiddenWithAllBelow) {

@@ -77,10 +77,18 @@ TEST_F(LeftOut, MaterialsThatAreDefinedTwice) {
   EXPECT_THAT(scene.warnings,
               ElementsAre("the material library 'm.mtl' says again what was said before; the last "
                           "holds of 'a', kd of 'b'"));
+  // Of libraries the first holds, as they are searched one after the other.
+  folder_.file("n.mtl", "newmtl a\nKd 0 0 1\nnewmtl c\nKd 0 0 1\n");
+  const TriangleScene both = load("m.obj", "mtllib m.mtl n.mtl\n" + face + "usemtl c\nf 1 2 3\n");
+  EXPECT_EQ(materialOf(both, 0).colour, (std::array<float, 4>{0, 1, 0, 1}));
+  EXPECT_EQ(materialOf(both, 1).colour, (std::array<float, 4>{0, 0, 1, 1}));
   EXPECT_THAT(
-      load("m.obj", "mtllib m.mtl n.mtl\n" + face).warnings,
+      both.warnings,
       ElementsAre(HasSubstr("'m.mtl' says again"),
-                  "the material library 'n.mtl' says again what was said before; the last holds of 'b'"));
+                  "the material library 'n.mtl' has materials of a library before it, which hold: 'a'"));
+  // One that comes late has what was missing before.
+  const TriangleScene late = load("m.obj", face + "mtllib n.mtl\n" + "usemtl a\nf 1 2 3\n");
+  EXPECT_EQ(materialOf(late, 1).colour, (std::array<float, 4>{0, 0, 1, 1}));
 }
 
 TEST_F(LeftOut, OptionsBehindTheNameOfATexture) {

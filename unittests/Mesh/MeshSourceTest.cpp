@@ -95,6 +95,43 @@ TEST(MeshSource, IsWhatTheReferenceSaysForEverySize) {
   }
 }
 
+/// Strips join their parts by triangles without an area, and a node of scale 0 hides what it has.
+TEST(MeshSource, TrianglesWithTwoCornersInOnePlaceAreNotSeen) {
+  const std::vector<Corner> two{{0, 0, 0}, {1, 0, 0}, {0, 1, 0},  {1, 1, 0}, {1, 1, 0},
+                                {9, 0, 0}, {9, 0, 0}, {10, 0, 0}, {9, 1, 0}, {10, 1, 0}};
+  const auto strip = sceneOf({{two}});
+  strip->parts[0].mode = PrimitiveMode::TriangleStrip;
+  std::vector<Corner> plain;
+  for (const std::size_t corner : {0, 1, 2, 2, 1, 3, 6, 7, 8, 8, 7, 9})
+    plain.push_back(two[corner]);
+  const Scene soup = soupOf(plain);
+  for (const Coverage coverage : kAllCoverages) {
+    const Voxels expected = voxelizedWith(soup, optionsOf(30, coverage));
+    EXPECT_EQ(voxelizedWith(strip, optionsOf(30, coverage)), expected);
+    EXPECT_EQ(reference(strip, optionsOf(30, coverage)), expected);
+  }
+  const auto hidden = sceneOf({{plain}, {plain}});
+  hidden->instances[1].toModel =
+      Transform(glm::dvec3(0), glm::dvec3(0), glm::dvec3(0), glm::dvec3(500, 0, 0));
+  EXPECT_EQ(voxelizedWith(hidden, optionsOf(30)), voxelizedWith(soup, optionsOf(30)));
+  hidden->instances.erase(hidden->instances.begin());
+  const auto nothing = makeMeshSource(hidden, optionsOf(30), enough());
+  ASSERT_FALSE(nothing);
+  EXPECT_NE(nothing.error().message.find("no triangle with an area"), std::string::npos);
+}
+
+TEST(MeshSource, LinesAndPointsAreTheSameByEveryRule) {
+  const auto lines = sceneOf({{{{0, 0, 0}, {10, 7.3f, 3.1f}, {2, 2, 2}, {2, 2, 9}}}, {{{5, 0, 9}}}});
+  lines->parts[0].mode = PrimitiveMode::Lines;
+  lines->parts[1].mode = PrimitiveMode::Points;
+  const Voxels expected = voxelizedWith(lines, optionsOf(40));
+  EXPECT_GT(expected.size(), 80u);
+  for (const Coverage coverage : kAllCoverages) {
+    EXPECT_EQ(voxelizedWith(lines, optionsOf(40, coverage)), expected);
+    EXPECT_EQ(reference(lines, optionsOf(40, coverage)), expected);
+  }
+}
+
 TEST(MeshSource, CroppedIsWhatTheReferenceSays) {
   std::mt19937 random(2);
   const Scene scene = sceneOf({randomPart(random, 60)});

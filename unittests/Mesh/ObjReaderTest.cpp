@@ -47,6 +47,21 @@ TEST_F(ObjReader, TextureOptions) {
   EXPECT_TRUE(scene.warnings.empty());
 }
 
+TEST_F(ObjReader, MasksAreOfAChannel) {
+  folder_.file("t.tga", kImage);
+  const std::string model = "mtllib m.mtl\n" + kTriangle + "vt 0 0\nusemtl a\nf 1/1 2/1 3/1\n";
+  const auto channelOf = [&](const std::string &channel) {
+    folder_.file("m.mtl", "newmtl a\nmap_d -imfchan " + channel + " t.tga\n");
+    const TriangleScene scene = load("m.obj", model);
+    EXPECT_EQ(materialOf(scene, 0).alphaMask.texture, 0);
+    return std::pair(int(materialOf(scene, 0).alphaChannel), scene.warnings.size());
+  };
+  EXPECT_EQ(channelOf("r"), std::pair(0, std::size_t{0}));
+  EXPECT_EQ(channelOf("b"), std::pair(2, std::size_t{0}));
+  EXPECT_EQ(channelOf("m"), std::pair(3, std::size_t{0}));
+  EXPECT_EQ(channelOf("l"), std::pair(0, std::size_t{1}));
+}
+
 TEST_F(ObjReader, NoMaterialIsWhite) {
   const TriangleScene scene = load("m.obj", kTriangle + "f 1 2 3\n");
   EXPECT_EQ(materialOf(scene, 0).colour, (std::array<float, 4>{1, 1, 1, 1}));

@@ -2,6 +2,7 @@
 #include "LoadTesting.h"
 
 #include <bit>
+#include <cmath>
 
 namespace voxc {
 namespace {
@@ -71,7 +72,8 @@ TEST_F(PlyScene, StripsWithRestarts) {
       load("m.ply", kAscii + kVertices + "element tristrips 1\nproperty list int int vertex_indices\n" +
                         kEnd + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n10 0 1 2 3 -1 1 2 -1 3 0\n");
   ASSERT_EQ(countTriangles(scene), 2u);
-  EXPECT_EQ(scene.parts[0].corners(1), (std::array<std::uint32_t, 3>{1, 2, 3}));
+  // Every second triangle of a strip is stored turned around.
+  EXPECT_EQ(scene.parts[0].corners(1), (std::array<std::uint32_t, 3>{2, 1, 3}));
 }
 
 TEST_F(PlyScene, OtherElementsArePassedOver) {
@@ -88,6 +90,14 @@ TEST_F(PlyScene, FacesBeforeVertices) {
   const TriangleScene scene =
       load("m.ply", kAscii + kFaces + kVertices + kEnd + "4 0 1 2 3\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n");
   EXPECT_EQ(countTriangles(scene), 2u);
+  // Of a corner that goes inwards no fan may cover what is outside.
+  const TriangleScene arrow =
+      load("m.ply", kAscii + kFaces + kVertices + kEnd + "4 0 1 2 3\n0 0 0\n4 0 0\n1 1 0\n0 4 0\n");
+  ASSERT_EQ(countTriangles(arrow), 2u);
+  double area = 0;
+  for (const auto &[a, b, c] : trianglesOf(arrow))
+    area += std::abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
+  EXPECT_EQ(area, 4);
 }
 
 TEST_F(PlyScene, FreeTextInTheHeader) {

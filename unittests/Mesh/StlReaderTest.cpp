@@ -46,6 +46,14 @@ TEST_F(StlReader, ReadsText) {
   EXPECT_EQ(triangles[2], kFacetCorners);
 }
 
+TEST_F(StlReader, LoopsOfTextAreClosed) {
+  std::string open = kFacet;
+  open.erase(open.find("endloop\n"), 8);
+  for (const std::string &file : {"solid\n" + open + kFacet, "solid\n" + kFacet + open,
+                                  "solid\n" + kFacet + "vertex 1 2 3\n" + kFacet + "endsolid\n"})
+    EXPECT_NE(problem("m.stl", file).find("is not closed by endloop"), std::string::npos) << file;
+}
+
 TEST_F(StlReader, TextMayBeginWithAMark) {
   EXPECT_EQ(countTriangles(load("m.stl", "\xef\xbb\xbfsolid a\n" + kFacet)), 1u);
 }

@@ -75,6 +75,27 @@ TEST(SurfaceColour, LowestNumberWinsAmongEqualsInSpiteOfRounding) {
   expectAll(voxelized(sceneOf({square(0.3f, 0), second}, {coloured(1, 0, 0), coloured(0, 1, 0)})), kRed);
 }
 
+/// A voxel beyond an edge takes the nearest point, which lies on it: there a texture that repeats would begin
+/// anew.
+TEST(SurfaceColour, AtItsUpperEndATextureShowsItsLastTexel) {
+  HandPart part = square(0.3f, 0);
+  for (std::array<float, 3> &corner : part.positions)
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      corner[axis] = corner[axis] * 7.3f / 8;
+  for (const TextureWrap wrap :
+       {TextureWrap::Repeat, TextureWrap::MirroredRepeat, TextureWrap::ClampToEdge}) {
+    auto scene = sceneOf({part}, {textured(0)});
+    scene->materials[0].texture.wrap = {wrap, wrap};
+    scene->textures.push_back(textureOf(2, 2, {kRed, kGreen, kBlue, kGrey}));
+    const Voxels voxels = voxelized(scene);
+    ASSERT_EQ(voxels.size(), 64u);
+    EXPECT_EQ(voxels.at(mortonCode({0, 0, 0})), kRed);
+    EXPECT_EQ(voxels.at(mortonCode({7, 0, 0})), kGreen);
+    EXPECT_EQ(voxels.at(mortonCode({0, 7, 0})), kBlue);
+    EXPECT_EQ(voxels.at(mortonCode({7, 7, 0})), kGrey);
+  }
+}
+
 TEST(SurfaceColour, NumbersRunThroughInstances) {
   auto scene = sceneOf({square(0.3f, 0), square(0.3f, 1)}, {coloured(1, 0, 0), coloured(0, 1, 0)});
   std::swap(scene->instances[0], scene->instances[1]);
