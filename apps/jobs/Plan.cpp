@@ -10,6 +10,7 @@
 #include "options/InputArguments.h"
 #include "options/Outputs.h"
 #include "program/Applications.h"
+#include "voxc/Volume/Frames.h"
 
 #include <filesystem>
 #include <numeric>
@@ -27,7 +28,10 @@ std::string absoluteInput(const std::string &input) {
   if (input.starts_with("builtin:"))
     return input;
   const std::string path = fileOf(input);
-  return input.substr(0, input.size() - path.size()) + fs::absolute(path).lexically_normal().string();
+  const std::size_t behind = input.ends_with(path) ? 0 : input.size() - withoutFrame(input).size();
+  const std::size_t before = input.size() - behind - path.size();
+  return input.substr(0, before) + fs::absolute(path).lexically_normal().string() +
+         input.substr(input.size() - behind);
 }
 
 class PlanCommand final : public Subcommand {
@@ -70,6 +74,7 @@ private:
     BuildPlan plan;
     plan.format = storageFormat(format);
     VOXC_TRY(nameInput(plan, opened.arguments));
+    VOXC_TRY(checkVolume(plan));
     plan.volume = volume_.empty() ? fs::path(output_).filename().replace_extension(".hvx").string()
                                   : fs::absolute(volume_).lexically_normal().string();
     plan.compress = building_.means().compress;
@@ -82,6 +87,25 @@ private:
     auto costs = VOXC_TRY(predictCosts(opened.input, building_.input(), opened.options, plan.cubes.log2Side));
     cut(plan, costs, figures);
     return plan;
+  }
+
+  /// Error: the volume would take the place of the plan, of its input, or of one with edits that wait.
+  Expected<void> checkVolume(const BuildPlan &plan) const {
+    const std::string volume =
+        volume_.empty() ? fs::path(output_).replace_extension(".hvx").string() : volume_;
+    VOXC_TRY(checkOutputFile(volume));
+    const auto whole = [](const std::string &path) { return fs::absolute(path).lexically_normal(); };
+    const auto isVolume = [&](const std::string &path) {
+      std::error_code ignored;
+      return whole(path) == whole(volume) || fs::equivalent(path, volume, ignored);
+    };
+    if (isVolume(output_))
+      return Error::usage("the plan and its volume would both be '" + volume +
+                          "'; name the volume by --volume");
+    for (const InputFile &file : plan.files)
+      if (isVolume(file.path))
+        return Error::usage("the volume '" + volume + "' is the input of the plan; name another by --volume");
+    return {};
   }
 
   Expected<void> nameInput(BuildPlan &plan, const InputArguments &arguments) const {

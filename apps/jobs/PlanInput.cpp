@@ -37,6 +37,14 @@ std::vector<std::array<Int3, 2>> boxesOf(const BuildPlan &plan, std::span<const 
   return boxes;
 }
 
+/// An option as a word of a provenance.
+std::string encoded(const std::string &option) {
+  std::string word;
+  for (const char c : option)
+    word += c == ' ' ? "%20" : c == '%' ? "%25" : std::string(1, c);
+  return word;
+}
+
 } // namespace
 
 Expected<Input> openPlanned(const BuildPlan &plan, std::span<const WorkItem> items,
@@ -44,7 +52,7 @@ Expected<Input> openPlanned(const BuildPlan &plan, std::span<const WorkItem> ite
   VOXC_TRY(checkInput(plan));
   std::string words;
   for (const std::string &option : plan.options)
-    words += (words.empty() ? "" : " ") + option;
+    words += (words.empty() ? "" : " ") + encoded(option);
   InputArguments arguments;
   fillFromProvenance(arguments, words);
   InputOptions inputOptions = makeInputOptions(arguments, plan.format.extent());

@@ -7,6 +7,7 @@
 #include "cluster/PlanFiles.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Support/UserCache.h"
+#include "voxc/Volume/Volume.h"
 
 namespace voxc::tool {
 
@@ -99,6 +100,7 @@ Expected<std::uint64_t> merge(const Constructor &constructor, const BuildPlan &p
   }
   options.path = files.output(item);
   options.compress = plan.compress;
+  VOXC_TRY(checkNoJournal(options.path)); // Its edits would be of no file.
   const auto built = VOXC_TRY(constructor.merge(paths, options));
   VOXC_TRY(files.noteVolume());
   return built.report.voxels;

@@ -8,6 +8,7 @@
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 #include "jobs/PythonProgram.h"
+#include "options/Figures.h"
 #include "options/Outputs.h"
 #include "program/Applications.h"
 #include "voxc/Measure/FormatSearch.h"
@@ -102,7 +103,8 @@ Expected<void> SearchCommand::tell(const Told &told, Json &figures) {
                             .verdict = verdict};
   bar_->clear();
   addSearchFigures(figures, result);
-  std::fputs(searchReport(result).c_str(), stdout);
+  if (tellsOnStdout(options_.common))
+    std::fputs(searchReport(result).c_str(), stdout);
   std::fflush(stdout);
   VOXC_TRY(measure::writeVerdict(options_.folder, verdict));
   if (!progress_.stopped())

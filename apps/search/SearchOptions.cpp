@@ -104,6 +104,7 @@ Expected<void> SearchOptions::read() {
   constexpr std::uint64_t kShare = 12;
   if (building.maxBytes.empty())
     wish.maxBytes = std::min(wish.maxBytes, measure::machineMemory() / kShare);
+  VOXC_TRY(checkInputArguments(inputArguments, input));
   fillResolution(inputArguments, input);
   return {};
 }
@@ -111,7 +112,7 @@ Expected<void> SearchOptions::read() {
 std::string SearchOptions::commandText() const {
   std::string text = "voxc search " + shellWord(input);
   for (const std::string &word : toWords(inputArguments))
-    text += " " + word;
+    text += " " + shellWord(word);
   if (wish.objective != Wish::Objective::Balanced)
     text += " --objective " + objective_;
   return text + " --budget " + budgetText_ + " -o " + shellWord(folder);

@@ -2,6 +2,7 @@
 #include "viewing/SceneSource.h"
 
 #include "choosing/Suggestion.h"
+#include "common/Files.h"
 #include "frontend/FormatArgument.h"
 #include "options/FrameInputs.h"
 #include "tracing/TraceSession.h"
@@ -64,7 +65,7 @@ void SceneSource::declare(const CommandLine &command) {
   passes_.declare(command, PassChoice::All);
 }
 
-bool SceneSource::isVolume() const { return withoutFrame(input_).ends_with(".hvx"); }
+bool SceneSource::isVolume() const { return hasEnding(withoutFrame(input_), ".hvx"); }
 
 Expected<void> SceneSource::check() const {
   VOXC_TRY(checkInputArguments(inputArguments_, input_));
@@ -143,7 +144,7 @@ Expected<view::Model> SceneSource::suggestModel(const CommonOptions &common, con
   request.device = device_.empty() ? "cpu" : device_;
   request.memory = makeWorkingMemory(building_);
   request.wish.maxBytes = kMaxWords * sizeof(std::uint32_t);
-  request.editable = withoutFrame(input_).ends_with(".vox"); // It may be an animation.
+  request.editable = hasEnding(withoutFrame(input_), ".vox"); // It may be an animation.
   request.hasAllFrames = request.editable;
   Json figures;
   CommonOptions quietly = common;

@@ -134,16 +134,18 @@ void tellSpacing(const std::string &text, const InputOptions &options, Input &in
   if (!options.isAutomatic || withoutFrame(lowerCase(text)).ends_with(".hvx"))
     return;
   if (isSheared(map))
-    input.warnings.push_back("its axes are not at right angles: pictures, pages, .glb, .nvdb and .vdb files "
-                             "keep that, all else shows it upright");
+    input.warnings.push_back(
+        "its axes are not at right angles: pictures, pages, .glb, .nvdb, .vdb and .vti files "
+        "keep that, all else shows it upright");
   if (!(most > least * (1 + kAlike)))
     return;
   std::array<char, 32> shortest{};
   std::snprintf(shortest.data(), shortest.size(), "%.6g", least);
-  input.warnings.push_back("its voxels are " + byThree(sides) +
-                           " and no cubes: pictures, pages, .glb, .nvdb and .vdb files keep that, all else "
-                           "shows it squashed; --voxel-size " +
-                           std::string(shortest.data()) + " makes cubes of them");
+  input.warnings.push_back(
+      "its voxels are " + byThree(sides) +
+      " and no cubes: pictures, pages, .glb, .nvdb, .vdb and .vti files keep that, all else "
+      "shows it squashed; --voxel-size " +
+      std::string(shortest.data()) + " makes cubes of them");
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // A whole search in one call.
 #include "Measure/QuestionWish.h"
 #include "Support/ParallelFor.h"
+#include "Support/Platform/ScratchFile.h"
 #include "voxc/IR/Query.h"
 #include "voxc/Measure/FormatSearch.h"
 #include "voxc/Measure/Machine.h"
@@ -25,7 +26,7 @@ constexpr std::uint64_t kShareOfMemory = 12;
 /// A folder that is there for the while.
 class ScratchFolder {
 public:
-  ScratchFolder() : path_((fs::temp_directory_path() / "voxc-search.XXXXXX").string()) {
+  ScratchFolder() : path_(platform::scratchFolder() + "/voxc-search.XXXXXX") {
     isThere_ = ::mkdtemp(path_.data()) != nullptr;
   }
   ~ScratchFolder() {

@@ -133,6 +133,10 @@ Expected<void> PagedVolume::chooseFrame(int number) {
   std::memcpy(&frame, room.data() + place % stream->pageBytes, sizeof frame);
   state_->frame = frame;
   state_->info.voxels = frame.voxels;
+  if (number > 1) { // All else is of the voxels of the first.
+    state_->streams.resize(1);
+    state_->pages.resize(1);
+  }
   return {};
 }
 

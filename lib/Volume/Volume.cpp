@@ -63,7 +63,8 @@ std::uint64_t Volume::bytes() const {
 std::uint64_t Volume::mostCubes() const { return state_->mostCubes; }
 void Volume::allowCubes(std::uint64_t most) { state_->mostCubes = most; }
 
-/// The words are those of all frames, of which this one is at the head.
+/// The words are those of all frames, of which this one is at the head, but for one that is empty. All other
+/// streams are of the voxels of the first.
 Expected<void> Volume::chooseFrame(int number) {
   const std::span<const Frame> frames = framesOf(*this);
   if (frames.empty() && number == 1)
@@ -74,7 +75,13 @@ Expected<void> Volume::chooseFrame(int number) {
   VOXC_TRY(writeOver(std::as_bytes(words().first(1)), std::as_bytes(root)));
   state_->info.voxels = frame.voxels;
   state_->info.wordCounts.reset();
-  std::erase_if(state_->streams, [](const Stream &stream) { return stream.name == kFrameStream; });
+  std::erase_if(state_->streams, [&](const Stream &stream) {
+    return stream.name == kFrameStream || (number > 1 && stream.name != kWordStream);
+  });
+  if (frame.root == 0) {
+    state_->words = state_->words.first(state_->layout.headWords());
+    state_->streams.front().bytes = std::as_bytes(state_->words);
+  }
   return {};
 }
 

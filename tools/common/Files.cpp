@@ -3,6 +3,8 @@
 
 #include "voxc/Support/File.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -50,6 +52,12 @@ Expected<void> flushStandardOutput() {
 
 Expected<void> writeText(const std::string &path, std::string_view text) {
   return path == kStandardStream ? writeStandardOutput(text) : writeFile(path, text);
+}
+
+bool hasEnding(std::string_view path, std::string_view ending) {
+  const auto lower = [](unsigned char c) { return std::tolower(c); };
+  return path.size() >= ending.size() &&
+         std::ranges::equal(path.substr(path.size() - ending.size()), ending, {}, lower, lower);
 }
 
 Expected<void> writeBytes(const std::string &path, std::span<const std::byte> bytes) {

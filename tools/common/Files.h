@@ -14,6 +14,9 @@
 
 namespace voxc::tool {
 
+/// Whether a path ends so, such as ".hvx", in letters of any case.
+bool hasEnding(std::string_view path, std::string_view ending);
+
 /// Writes a whole file, or nothing: `path` is whole, or unchanged. Errors: `Environment` if it cannot be
 /// written.
 Expected<void> writeBytes(const std::string &path, std::span<const std::byte> bytes);

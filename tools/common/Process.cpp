@@ -6,11 +6,13 @@
 #include "voxc/IR/Limits.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <fcntl.h>
 #include <malloc.h>
 #include <pthread.h>
 #include <string>
@@ -81,6 +83,16 @@ void growHeapOnHugePages() {
 #endif
 }
 
+/// Gives the three standard streams something where who started this process had closed them: else the next
+/// files that are opened would get their numbers, and what is printed. Reading from them, or writing to them,
+/// stays an error.
+Expected<void> fillStandardStreams() {
+  for (int file = 0; file < 3; ++file)
+    if (::fcntl(file, F_GETFD) < 0 && ::open("/dev/null", file == 0 ? O_WRONLY : O_RDONLY) < 0)
+      return Error::environment("cannot open '/dev/null': " + std::string(std::strerror(errno)));
+  return {};
+}
+
 /// VOXC_MAX_LEVELS, where it is set: as many levels as formats may have.
 Expected<void> setMostLevels() {
   const char *const text = std::getenv("VOXC_MAX_LEVELS");
@@ -99,6 +111,7 @@ Expected<void> setMostLevels() {
 } // namespace
 
 Expected<void> prepareProcess() {
+  VOXC_TRY(fillStandardStreams());
   turnSignalsIntoErrors();
   VOXC_TRY(setMostLevels());
   growHeapOnHugePages();

@@ -29,6 +29,11 @@ std::string_view countedIn(std::string_view stage) {
 
 } // namespace
 
+std::string printable(std::string text) {
+  std::ranges::replace_if(text, [](unsigned char c) { return c < ' ' || c == 127; }, '?');
+  return text;
+}
+
 ProgressBar::ProgressBar(bool quiet) : visible_(!quiet && isatty(STDERR_FILENO)) {}
 
 ProgressBar::~ProgressBar() { clear(); }

@@ -10,6 +10,9 @@
 
 namespace voxc::tool {
 
+/// `text` with a question mark for each control character: what a file says shall not command a terminal.
+std::string printable(std::string text);
+
 /// A bar on standard error with rate and time left, drawn over itself and removed at the end. It shows
 /// nothing if it is told to be quiet or standard error is no terminal.
 class ProgressBar {

@@ -156,11 +156,11 @@ void fillFromProvenance(InputArguments &arguments, std::string_view provenance) 
   if (arguments.resolution == 0 && resolution.size() == 1)
     arguments.resolution = resolution.front();
   if (arguments.voxelSize.empty() && arguments.align.empty()) {
-    arguments.voxelSize = valueOf(provenance, "voxel-size");
+    arguments.voxelSize = decoded(valueOf(provenance, "voxel-size"));
     arguments.align = parseNumbers<double>(valueOf(provenance, "align"));
   }
   if (arguments.unit.empty())
-    arguments.unit = valueOf(provenance, "unit");
+    arguments.unit = decoded(valueOf(provenance, "unit"));
   const std::vector<double> bounds = parseNumbers<double>(valueOf(provenance, "bounds"));
   if (arguments.bounds.empty() && bounds.size() == 6)
     arguments.bounds = bounds;

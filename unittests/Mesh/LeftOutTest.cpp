@@ -87,7 +87,8 @@ TEST_F(LeftOut, MaterialsThatAreDefinedTwice) {
       ElementsAre(HasSubstr("'m.mtl' says again"),
                   "the material library 'n.mtl' has materials of a library before it, which hold: 'a'"));
   // One that comes late has what was missing before.
-  const TriangleScene late = load("m.obj", face + "mtllib n.mtl\n" + "usemtl a\nf 1 2 3\n");
+  const TriangleScene late = load("late.obj", face + "mtllib n.mtl\nusemtl a\nf 1 2 3\n");
+  ASSERT_EQ(late.parts.size(), 2u);
   EXPECT_EQ(materialOf(late, 1).colour, (std::array<float, 4>{0, 0, 1, 1}));
 }
 

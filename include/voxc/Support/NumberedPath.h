@@ -17,7 +17,7 @@ public:
   NumberedPath(std::string before, std::size_t digits, std::string after)
       : before_(std::move(before)), after_(std::move(after)), digits_(digits) {}
 
-  /// Nothing if the text has no such place, or two.
+  /// Nothing if the text has no such place, or two; any other % is as it is.
   static std::optional<NumberedPath> parse(std::string_view text);
 
   /// The path of a number: at least as many digits as the pattern says.

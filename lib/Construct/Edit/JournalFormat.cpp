@@ -1,9 +1,11 @@
 // Journals as bytes.
 #include "JournalFormat.h"
 
+#include "Support/Platform/ScratchFile.h"
 #include "Volume/Checksum.h"
 #include "voxc/Support/File.h"
 
+#include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <utility>
@@ -78,10 +80,10 @@ private:
 
 /// The bytes of a compressed .hvx file.
 Expected<std::string> fileOf(const Volume &volume) {
-  std::string path = (std::filesystem::temp_directory_path() / "voxc-paste.XXXXXX").string();
+  std::string path = platform::scratchFolder() + "/voxc-paste.XXXXXX";
   const int file = ::mkstemp(path.data());
   if (file < 0)
-    return Error::environment("cannot write '" + path + "'");
+    return Error::environment("cannot write '" + path + "': " + std::strerror(errno));
   ::close(file);
   auto saved = volume.save(path, {.compress = true});
   auto text = saved ? readTextFile(path) : Expected<std::string>(saved.error());

@@ -44,6 +44,10 @@ private:
   WorkingMemory &memory_;
 };
 
+std::size_t indexOf(const PlyElement &element, const PlyHeader &header) {
+  return static_cast<std::size_t>(&element - header.elements.data());
+}
+
 /// Which rows of a file are taken.
 enum class Rows { All, Vertices, Others };
 
@@ -90,13 +94,14 @@ public:
       addStrips(index, row.lists[*stripCorners_]);
   }
 
-  /// Adds the rows of all elements, or some of them.
+  /// Adds the rows of all elements, or some of them, from this file, whoever opened it.
   Expected<void> addAll(PlyReader &reader, Rows rows) {
     return reader.readRows(
         [&](const PlyElement &element, std::uint64_t index, const PlyRow &row) -> Expected<void> {
-          const Rows kind = &element == &vertices_.element() ? Rows::Vertices : Rows::Others;
+          const PlyElement &own = header_.elements[indexOf(element, reader.header())];
+          const Rows kind = &own == &vertices_.element() ? Rows::Vertices : Rows::Others;
           if (rows == Rows::All || rows == kind)
-            add(element, index, row);
+            add(own, index, row);
           return problem_ ? Expected<void>(problem_.error()) : Expected<void>();
         });
   }

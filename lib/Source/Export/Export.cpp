@@ -71,8 +71,9 @@ std::string knownEndings() {
 Expected<void> checkSpace(const ExportKind &kind, const Volume &volume, const std::string &path) {
   const std::uint64_t count = kind.count(volume);
   std::error_code unknown;
+  const auto whole = std::filesystem::absolute(platform::pathFrom(path), unknown);
   const auto space =
-      std::filesystem::space(std::filesystem::absolute(platform::pathFrom(path)).parent_path(), unknown);
+      unknown ? std::filesystem::space_info() : std::filesystem::space(whole.parent_path(), unknown);
   if (unknown || count <= space.available / kind.bytesEach)
     return {};
   return Error::environment(std::to_string(count) + " " + kind.unit + " of " +

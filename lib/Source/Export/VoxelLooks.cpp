@@ -103,9 +103,14 @@ std::uint32_t VoxelLooks::at(std::uint64_t code) const {
 
 std::string attributesLeftOut(const Volume &volume, bool holdsLooks, const std::string &ending) {
   constexpr std::array<std::string_view, 3> kLooks{kEmission, kStrength, kMetal};
+  const bool hasEmission = bool(Elements(volume, kEmission));
+  const auto isLook = [&](const Stream &stream) {
+    return std::ranges::find(kLooks, stream.name) != kLooks.end() && Elements(volume, stream.name) &&
+           (stream.name != kStrength || hasEmission);
+  };
   std::string names;
   for (const Stream &stream : volume.streams())
-    if (stream.name != kWordStream && !(holdsLooks && std::ranges::find(kLooks, stream.name) != kLooks.end()))
+    if (stream.name != kWordStream && !(holdsLooks && isLook(stream)))
       names += (names.empty() ? "'" : ", '") + stream.name + "'";
   return names.empty()
              ? std::string()

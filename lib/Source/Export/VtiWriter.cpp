@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,15 +29,18 @@ std::string textOf(double number) {
 
 std::string textOf(const glm::dvec3 &v) { return textOf(v.x) + " " + textOf(v.y) + " " + textOf(v.z); }
 
-/// Origin, spacing and, where axes are turned, direction.
+/// Origin, spacing and, where axes are turned, direction; nothing of a map that is none.
 std::string placeOf(const Transform &map) {
+  const auto length = [&](int axis) { return glm::length(glm::dvec3(map[axis])); };
+  if (!isFinite(map) || !std::isfinite(length(0) + length(1) + length(2)))
+    return "";
   glm::dvec3 spacing;
   std::array<glm::dvec3, 3> axes;
   bool isTurned = false;
   for (int i = 0; i < 3; ++i) {
     const glm::dvec3 step(map[i]);
     glm::dvec3 straight(0);
-    spacing[i] = glm::length(step);
+    spacing[i] = length(i);
     straight[i] = spacing[i];
     isTurned = isTurned || step != straight;
     // Adding 0 takes the sign off a zero.

@@ -14,7 +14,7 @@ std::string searchCommand(const std::string &input, const InputArguments &argume
                           const std::string &device) {
   std::string text = "voxc search " + shellWord(input);
   for (const std::string &word : toWords(arguments))
-    text += " " + word;
+    text += " " + shellWord(word);
   return text + " --device " + shellWord(device) + " -o found";
 }
 
@@ -22,7 +22,7 @@ std::string buildCommand(const std::string &input, const InputArguments &argumen
                          const Candidate &candidate) {
   std::string text = "voxc build " + shellWord(candidate.text) + " " + shellWord(input);
   for (const std::string &word : toWords(arguments))
-    text += " " + word;
+    text += " " + shellWord(word);
   for (const std::string &pass : candidate.passes)
     text += " --" + pass;
   return text + " -o scene.hvx";

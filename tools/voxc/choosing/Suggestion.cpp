@@ -30,6 +30,7 @@ Expected<std::vector<RaySet>> readRaySets(const std::vector<std::string> &paths,
 Expected<Suggestion> makeSuggestion(const SuggestRequest &request, const CommonOptions &common,
                                     const Progress &progress, Json &figures) {
   InputArguments arguments = request.arguments;
+  VOXC_TRY(checkInputArguments(arguments, request.input));
   fillResolution(arguments, request.input);
   InputOptions options = sceneOptions(arguments, request.memory, progress);
   options.boxOfAllFrames = request.hasAllFrames;

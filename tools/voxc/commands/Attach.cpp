@@ -50,6 +50,8 @@ public:
     VOXC_TRY(checkOutputFile(output_));
     auto loaded = VOXC_TRY(volume_.load());
     std::shared_ptr<const Volume> volume = std::make_shared<const Volume>(std::move(loaded));
+    if (framesOf(*volume).size() > 1 && !common_.quiet)
+      printNote("warning: attributes are of the first frame alone; --frame N with -o gives those of another");
     ProgressBar bar(common_.quiet);
     VOXC_TRY(volume_.leaveOtherFrames(output_, common_));
     const auto changed = VOXC_TRY(change(volume, bar.progress()));

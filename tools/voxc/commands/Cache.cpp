@@ -21,8 +21,10 @@ public:
   Expected<void> run() override {
     const std::string folder = compileCacheFolder();
     if (folder.empty()) {
-      std::printf("there is no cache: VOXC_CACHE is off, or there is no home folder\n");
-      return {};
+      if (tellsOnStdout(common_))
+        std::printf("there is no cache: VOXC_CACHE is off, or there is no home folder\n");
+      return writeStatistics(common_.stats,
+                             {{"folder", ""}, {"entries", 0}, {"bytes", 0}, {"most_bytes", 0}});
     }
     const auto cache = VOXC_TRY(CompileCache::open(folder));
     if (clear_)

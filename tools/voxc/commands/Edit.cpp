@@ -216,7 +216,9 @@ private:
     std::filesystem::path own = output_; // The file itself, where that is a link to it.
     if (std::filesystem::is_symlink(own, failure))
       own = std::filesystem::canonical(own, failure);
-    const std::string folded = own.string() + ".folded";
+    std::string folded = own.string() + ".folded";
+    while (std::filesystem::exists(folded, failure)) // Of whomever that is.
+      folded += "-";
     VOXC_TRY(edit(volume, edits, folded, progress, figures));
     VOXC_TRY(journal.fold(folded));
     addWritten(figures, output_);

@@ -2,6 +2,7 @@
 // page that shows it.
 #include "voxc/Source/Export.h"
 #include "building/ColourLoss.h"
+#include "common/Files.h"
 #include "common/NumberedName.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
@@ -66,7 +67,7 @@ public:
   Expected<void> run() override {
     VOXC_TRY(checkOutputFile(output_));
     VOXC_TRY(page_ ? page_->check(output_) : Expected<void>());
-    if (output_.ends_with(".hvx"))
+    if (hasEnding(output_, ".hvx"))
       VOXC_TRY(volume_.leaveOtherFrames(output_, common_));
     Expected<Volume> volume = volume_.load();
     if (!volume)
@@ -103,19 +104,21 @@ private:
   }
 
   Expected<void> write(const Volume &volume, Json &figures) {
-    const bool isVox = output_.ends_with(".vox") || output_.ends_with(".VOX");
-    const bool isPicture = output_.ends_with(".png") || output_.ends_with(".PNG");
+    const bool isVox = hasEnding(output_, ".vox");
+    const bool isPicture = hasEnding(output_, ".png");
     if (!slices_.empty() && !isPicture)
       return Error::usage("--slices is for pictures, whose name ends in .png");
     options_.slices = fromString<SlicePlane>(slices_).value_or(SlicePlane::Z);
     if (isVox || isPicture)
-      numbered_ = parseNumberedName(output_);
+      numbered_ = isVox ? NumberedPath::parse(output_) : parseNumberedName(output_);
     if (options_.lossy && !isVox)
       return Error::usage("--lossy is for a file that ends in .vox; every other kind keeps all colours");
     if (page_ && page_->isPage(output_)) {
       if (options_.save.compress)
         return Error::usage(
             "--compress is for a file that ends in .hvx; the words of a page are always compressed");
+      if (options_.texture)
+        return Error::usage("--texture is for a file that ends in .glb; a page shows each voxel's colour");
       return page_->write(volume, volume_.path(), output_, options_.save.progress, figures);
     }
     options_.save.pageBytes = std::uint32_t(std::min<std::uint64_t>(bytesOf(pageBytes_), ~0u));
@@ -128,7 +131,7 @@ private:
 
   /// The volume with the blocks that were asked for, if it is to be a file that may have some.
   Expected<Volume> withCoarse(Volume volume, Json &figures) const {
-    if (!output_.ends_with(".hvx"))
+    if (!hasEnding(output_, ".hvx"))
       return volume; // Which is not compressed: an error that is told.
     const auto side = unsigned(std::stoul(coarseSide_));
     auto blocks = VOXC_TRY(makeCoarseBlocks(volume, std::countr_zero(side), options_.save.progress));
@@ -157,7 +160,7 @@ private:
   void tellSize(const Json &figures, const Volume &volume) const {
     constexpr double kMuch = 100e6, kMega = 1e6;
     const double bytes = figures.value("file_bytes", 0.0);
-    if (bytes < kMuch || !output_.ends_with(".glb"))
+    if (bytes < kMuch || !hasEnding(output_, ".glb"))
       return;
     char text[256];
     std::snprintf(text, sizeof text,

@@ -39,6 +39,7 @@ public:
 
 private:
   Expected<Facts> measure(const Progress &progress, Json &figures) const {
+    VOXC_TRY(checkInputArguments(inputArguments_, input_));
     InputArguments arguments = inputArguments_;
     fillResolution(arguments, input_);
     constexpr int kMost = 1 << kMaxLog2Extent;

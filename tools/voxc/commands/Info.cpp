@@ -3,6 +3,7 @@
 #include "building/InputReport.h"
 #include "common/Interrupt.h"
 #include "common/Statistics.h"
+#include "common/Terminal.h"
 #include "options/Figures.h"
 #include "program/Subcommand.h"
 #include "voxc/Construct/EditJournal.h"
@@ -95,7 +96,8 @@ void print(const VolumeSummary &summary) {
   printBytes(summary);
   for (const StreamSummary &stream : summary.streams)
     printStream(stream);
-  std::printf("made with   %s\n", info.provenance.empty() ? "(not known)" : info.provenance.c_str());
+  std::printf("made with   %s\n",
+              info.provenance.empty() ? "(not known)" : printable(info.provenance).c_str());
   printTransform(info.voxelToModel);
   std::printf("digest      0x%s, which that of a kernel or a header must equal\n", digestText(info).c_str());
 }
