@@ -96,7 +96,9 @@ TEST(MeshFrame, ResolutionZeroFillsWhatThereIs) {
 TEST(MeshFrame, EnormousAndTinyCoordinatesEnd) {
   EXPECT_FALSE(voxelized(soupOf({{-3e38f, 0, 0}, {3e38f, 1, 0}, {0, 3e38f, 3e38f}}), {32}).empty());
   EXPECT_FALSE(voxelized(soupOf({{0, 0, 0}, {1e-45f, 0, 0}, {0, 1e-45f, 0}}), {32}).empty());
-  EXPECT_EQ(voxelized(soupOf({{2, 2, 2}, {2, 2, 2}, {2, 2, 2}}), {32}).size(), 1u);
+  const auto point = soupOf({{2, 2, 2}});
+  point->parts[0].mode = PrimitiveMode::Points;
+  EXPECT_EQ(voxelized(point, {32}).size(), 1u);
 }
 
 TEST(MeshFrame, TheGridIsCoarserForWhatReachesFarAndEndsAtALimit) {
@@ -117,7 +119,9 @@ TEST(MeshFrame, TheGridIsCoarserForWhatReachesFarAndEndsAtALimit) {
 TEST(MeshFrame, WholeExtentOfVoxelsIsReached) {
   VoxelizeOptions options;
   options.resolution = 1 << 21;
-  auto source = open(soupOf({{0, 0, 0}, {1, 1, 1}, {1, 1, 1}}), options);
+  const auto line = soupOf({{0, 0, 0}, {1, 1, 1}});
+  line->parts[0].mode = PrimitiveMode::Lines;
+  auto source = open(line, options);
   ASSERT_TRUE(source) << source.error().message;
   const int last = (1 << 21) - 1;
   for (const int at : {0, 1 << 20, last})
