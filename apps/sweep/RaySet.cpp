@@ -29,6 +29,17 @@ Expected<std::array<int, 2>> sizeOf(const std::string &text, std::array<int, 2> 
   return text.empty() ? fallback : parseSize(text);
 }
 
+/// A file of this camera alone.
+std::string textOf(const FileCamera &camera) {
+  Json text{{"position", {camera.position.x, camera.position.y, camera.position.z}},
+            {"pitch", camera.pitch},
+            {"yaw", camera.yaw},
+            {"fov", camera.fov}};
+  if (camera.height != 0)
+    text["height"] = camera.height;
+  return Json{{"cameras", {{"camera", text}}}}.dump();
+}
+
 Expected<RaySet> readCameraSet(const RayArguments &arguments, const std::string &name) {
   const Camera defaults;
   const auto file = VOXC_TRY(readCamera(arguments.cameraFile, name));
@@ -39,18 +50,14 @@ Expected<RaySet> readCameraSet(const RayArguments &arguments, const std::string 
   for (const double number :
        {file.position[0], file.position[1], file.position[2], file.pitch, file.yaw, file.fov})
     digest.add(exact(number));
+  if (file.height != 0) // Of an orthographic one alone: others have the names that they had.
+    digest.add(exact(file.height));
   RaySet set;
   set.part = measure::cameraPart(name, *size, digest);
-  set.cameraText = Json{{"cameras",
-                         {{"camera",
-                           {{"position", {file.position.x, file.position.y, file.position.z}},
-                            {"pitch", file.pitch},
-                            {"yaw", file.yaw},
-                            {"fov", file.fov}}}}}}
-                       .dump();
-  set.camera = [camera = file, size = *size](Int3 extent) {
-    return cameraFromAngles(extent, camera.position, camera.pitch, camera.yaw, camera.fov, size[0], size[1]);
-  };
+  set.cameraText = textOf(file);
+  const CameraOptions options{.size = std::to_string((*size)[0]) + "x" + std::to_string((*size)[1])};
+  VOXC_TRY(makeCamera(options, file, {1, 1, 1}));
+  set.camera = [file, options](Int3 extent) { return *makeCamera(options, file, extent); };
   return set;
 }
 

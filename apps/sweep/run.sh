@@ -5,6 +5,11 @@
 # All packs must be there. Run again, it goes on where it was ended. `voxc bench import` takes the results in.
 set -eu
 trace=${1:-voxc-trace} rounds=${2:-3} repeats=${3:-20}
+# A program by its path is one of the folder that this was started in.
+program=${trace%% *}
+case $program in
+*/*) trace=$(cd "$(dirname "$program")" && pwd)/$(basename "$program")${trace#"$program"} ;;
+esac
 cd "$(dirname "$0")/.."
 mkdir -p joined results
 
@@ -25,7 +30,7 @@ rays() {
   esac
 }
 
-round=1
+round=1 failed=0
 while [ "$round" -le "$rounds" ]; do
   while read -r cell volume kernel kind digest size sample order; do
     result=results/$cell.$round.json
@@ -49,9 +54,11 @@ while [ "$round" -le "$rounds" ]; do
       echo "round $round: $cell"
     else
       echo "round $round: $cell failed" >&2
+      failed=$((failed + 1))
     fi
   done <<CELLS
 $(cat pack-*/cells.txt)
 CELLS
   round=$((round + 1))
 done
+[ "$failed" -eq 0 ] || exit 1

@@ -106,12 +106,38 @@ TEST_F(Frames, AreTheVoxelsOfEach) {
         ASSERT_TRUE(volume) << what << volume.error().message;
         EXPECT_EQ(differences(*volume, scenes[n]), 0) << what << " frame " << n + 1 << " of " << name;
         EXPECT_TRUE(framesOf(*volume).empty());
+        // A frame alone is a volume of its own.
+        ASSERT_TRUE(volume->save(pathOf("again.hvx")));
+        const auto again = load("again.hvx", 0);
+        ASSERT_TRUE(again) << what << " frame " << n + 1 << ": " << again.error().message;
+        EXPECT_EQ(differences(*again, scenes[n]), 0) << what << " frame " << n + 1;
       }
     const auto whole = load("plain.hvx", 0);
     ASSERT_TRUE(whole) << whole.error().message;
     EXPECT_EQ(framesOf(*whole).size(), scenes.size());
     EXPECT_EQ(differences(*whole, scenes[0]), 0) << what;
   }
+}
+
+/// What else a file has is of the voxels of its first frame.
+TEST_F(Frames, OthersHaveNoStreamsOfTheFirst) {
+  const auto frames = build(*parseFormat("R(1, 1, 1) G(2)"), {8, 8, 8},
+                            {ball({3, 3, 3}, 2, 0xff0000ff), ball({4, 3, 3}, 2, 0xff0000ff)});
+  ASSERT_TRUE(frames) << frames.error().message;
+  const std::vector<std::uint32_t> lights(frames->volume.info().voxels, 7);
+  std::vector<Stream> streams(frames->volume.streams().begin(), frames->volume.streams().end());
+  streams.push_back({"emission", sizeof(std::uint32_t), std::as_bytes(std::span(lights))});
+  const Volume lit(frames->volume.info(), streams, nullptr);
+  ASSERT_TRUE(lit.save(pathOf("plain.hvx")));
+  ASSERT_TRUE(lit.save(pathOf("pages.hvx"), {.compress = true, .pageBytes = 4096}));
+  for (const char *name : {"plain.hvx", "pages.hvx"}) {
+    EXPECT_TRUE(load(name, 1)->findStream("emission")) << name;
+    EXPECT_EQ(load(name, 2)->streams().size(), 1u) << name;
+  }
+  auto paged = PagedVolume::open(pathOf("pages.hvx"));
+  ASSERT_TRUE(paged) << paged.error().message;
+  ASSERT_TRUE(paged->chooseFrame(2));
+  EXPECT_EQ(paged->streams().size(), 1u);
 }
 
 TEST_F(Frames, ThatAreEqualAreOne) {
