@@ -114,9 +114,10 @@ TEST_F(VoxelSizes, OfScansMakeCubes) {
         ball += std::hypot(x - 15.5, y - 15.5, 4 * z - 14.0) < 14 ? '\1' : '\0';
   voxels("a.nrrd", scan("32 32 8", ball));
   EXPECT_EQ(extent_, (Int3{32, 32, 8}));
-  EXPECT_THAT(warnings_,
-              Contains("its voxels are 1 x 1 x 4 and no cubes: pictures, pages, .glb, .nvdb and .vdb "
-                       "files keep that, all else shows it squashed; --voxel-size 1 makes cubes of them"));
+  EXPECT_THAT(
+      warnings_,
+      Contains("its voxels are 1 x 1 x 4 and no cubes: pictures, pages, .glb, .nvdb, .vdb "
+               "and .vti files keep that, all else shows it squashed; --voxel-size 1 makes cubes of them"));
   options_.voxelSize = *parseLength("1mm");
   const Voxels cubes = voxels("a.nrrd", scan("32 32 8", ball));
   EXPECT_EQ(extent_, (Int3{32, 32, 32}));

@@ -60,8 +60,7 @@ TEST_F(GltfReader, NodesAndInstances) {
 }
 
 TEST_F(GltfReader, NoSceneIsAllRoots) {
-  const TriangleScene scene =
-      loadModel(R"("scenes":[{"nodes":[0]}],"nodes":[{"mesh":0},{"mesh":0,"children":[0]},
+  const TriangleScene scene = loadModel(R"("nodes":[{"mesh":0},{"mesh":0,"children":[0]},
     {"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}])");
   EXPECT_EQ(scene.instances.size(), 3u);
 }

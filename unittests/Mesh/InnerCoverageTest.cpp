@@ -155,13 +155,19 @@ TEST(InnerCoverage, OpenSurfacesTakeTheHigherVoxelAndTheLastOne) {
     }
 }
 
-TEST(InnerCoverage, LinesAndPointsTakeOneVoxelEach) {
-  const Corner point{4, 4.5f, 4.5f};
-  EXPECT_EQ(voxelized(soupOf({point, point, point}), onTheGrid())[0], (Cells{mortonCode({4, 4, 4})}));
-  // Along the centres of two cells and on to the next one's low face, which is its own.
-  const Corner from{2, 4.5f, 4.5f};
-  EXPECT_EQ(voxelized(soupOf({from, point, point}), onTheGrid())[0],
-            (Cells{mortonCode({2, 4, 4}), mortonCode({3, 4, 4})}));
+/// They have no inside: each takes the voxels that it touches, as by every rule.
+TEST(InnerCoverage, LinesAndPointsAreNoSurfaces) {
+  const auto thin = [](const Soup &corners, PrimitiveMode mode) {
+    const auto scene = soupOf(corners);
+    scene->parts[0].mode = mode;
+    auto source = makeMeshSource(scene, onTheGrid(), WorkingMemory::createDefault());
+    EXPECT_TRUE(source) << source.error().message;
+    return cellsOf(**source);
+  };
+  const Corner from{2, 4.5f, 4.5f}, point{4, 4.5f, 4.5f};
+  EXPECT_EQ(thin({point}, PrimitiveMode::Points), (Cells{mortonCode({3, 4, 4}), mortonCode({4, 4, 4})}));
+  EXPECT_EQ(thin({from, point}, PrimitiveMode::Lines), (Cells{mortonCode({1, 4, 4}), mortonCode({2, 4, 4}),
+                                                              mortonCode({3, 4, 4}), mortonCode({4, 4, 4})}));
 }
 
 TEST(InnerCoverage, OfOtherSurfacesIsAsThinBetweenFaces) {
