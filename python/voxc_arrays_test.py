@@ -1,5 +1,6 @@
 """Tests of lists of voxels, of arrays of others, and of what notebooks show: python3 -m unittest voxc_arrays_test"""
 import ctypes
+import gc
 import inspect
 import pathlib
 import re
@@ -163,6 +164,47 @@ class Arrays(unittest.TestCase):
         self.assertRaisesRegex(voxc.UsageError, "changes what a volume stores", volume.tracer, "cpu", passes="palette=4")
         self.assertRaisesRegex(voxc.UsageError, "leaves no choice", volume.tracer, "cpu", query="any", outputs="voxel")
         self.assertRaisesRegex(ValueError, "has no formats", voxc.suggest, "builtin:full:8", formats=[])
+
+    def test_what_is_of_another_kind_is_told(self):
+        volume = voxc.build("G(3)", voxels=np.ones((8, 8, 8), bool))
+        editable, other = voxc.Editable(volume), voxc.Editable(voxc.build("G(4)", "builtin:full:16"))
+        tracer = volume.tracer("cpu")
+        for call in (lambda: voxc.Format(None), lambda: voxc.build(None, voxels=np.ones((8, 8, 8), bool)), lambda: voxc.suggest(None),
+                     lambda: voxc.Volume.load(None), lambda: volume.attribute(None), lambda: voxc.Editable(editable),
+                     lambda: editable.paste(other), lambda: tracer.follow(volume), lambda: tracer.update(editable)):
+            self.assertRaises(TypeError, call)
+        self.assertRaisesRegex(ValueError, "null byte", voxc.Format, "G(3)\0junk")
+        self.assertRaisesRegex(ValueError, "null byte", volume.save, "/tmp/none\0.hvx")
+        self.assertRaisesRegex(ValueError, "of another volume", editable.view, other.snapshot())
+        self.assertRaisesRegex(ValueError, "colours are one word", voxc.build, "G(3)", places=[[0, 0, 0], [1, 1, 1]],
+                               colours=np.ones((2, 2, 1), np.uint32))
+
+    def test_what_numpy_makes_of_words_keeps_the_volume(self):
+        words = np.asarray(voxc.build("R(6, 6, 6)", voxels=np.ones((64, 64, 64), bool)).words)
+        again = np.frombuffer(voxc.build("R(6, 6, 6)", voxels=np.ones((64, 64, 64), bool)).words, np.uint8)
+        gc.collect()
+        self.assertEqual(int((words == words[-1]).sum()), 64**3)
+        self.assertEqual(4 * len(words), len(again))
+        self.assertEqual(again.tobytes(), words.tobytes())
+
+    def test_a_function_of_an_edit_edits_nothing_itself(self):
+        editable = voxc.Editable(voxc.build("G(3)", voxels=np.ones((8, 8, 8), bool)))
+        state = editable.snapshot()
+        for inner in (lambda: editable.set_box((0, 0, 0), (1, 1, 1), 0), lambda: editable.restore(state),
+                      lambda: editable.apply((0, 0, 0), (1, 1, 1), lambda *_: 0)):
+            with self.assertRaisesRegex(RuntimeError, "an edit of this volume is running"):
+                editable.apply((0, 0, 0), (2, 2, 2), lambda *_: inner() or 0)
+        self.assertEqual(editable.voxels, 512)
+        editable.apply((0, 0, 0), (2, 2, 2), lambda *_: editable.view().voxels and 0)
+        self.assertEqual(editable.voxels, 504)
+
+    def test_rays_with_bounds_see_the_state_that_is_followed(self):
+        editable = voxc.Editable(voxc.build("G(3)", voxels=np.ones((8, 8, 8), bool)))
+        tracer = editable.view().tracer("cpu")
+        tracer.follow(editable)
+        editable.clear((0, 0, 0), (8, 8, 8))
+        hit = tracer.trace([[-1, 4.5, 4.5]], [[1, 0, 0]], tmin=0)
+        self.assertEqual(hit["voxel"].tolist(), [[0, 4, 4]])
 
     def test_options_without_a_size_are_told(self):
         library, volume = voxc._library, voxc.build("G(3)", "builtin:full:8")

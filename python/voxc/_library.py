@@ -206,7 +206,31 @@ def make(function, *arguments):
 
 def text(value):
     """A str or path as the library takes it; None stays None."""
-    return None if value is None else os.fsencode(value)
+    encoded = None if value is None else os.fsencode(value)
+    if encoded and 0 in encoded:  # Where C takes it to end.
+        raise ValueError("embedded null byte")
+    return encoded
+
+
+def needed(value, what):
+    """The same of what has to be given."""
+    if value is None:
+        raise TypeError(f"{what} is a str or a path, and not None")
+    return text(value)
+
+
+def handle_of(value, kind, what):
+    """What the library knows an object by that has to be of a class of ours."""
+    if not isinstance(value, kind):
+        raise TypeError(f"{what} is a voxc.{kind.__name__}, and not {type(value).__name__}")
+    return value._handle
+
+
+def memory_of(owner, address, count):
+    """Bytes of an object of the library, which keep it: whatever NumPy makes of them."""
+    memory = (ctypes.c_uint8 * count).from_address(address)
+    memory.owner = owner
+    return memory
 
 
 def options(kind, **members):

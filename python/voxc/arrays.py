@@ -103,6 +103,8 @@ def colours_of(colours, count):
         return np.full(count, SOLID, np.uint32)
     colours = array_of(colours, "colours")
     words = np.ascontiguousarray(bytes_as_words(colours) if colours.ndim == 2 else as_words(colours))
+    if words.ndim != 1:
+        raise ValueError(f"colours are one word for each of n voxels, (n,), or bytes (n, 4) or (n, 3), not of the shape {colours.shape}")
     if len(words) != count:
         raise ValueError(f"there are {count} places, but {len(words)} colours")
     return words

@@ -83,7 +83,7 @@ def build(format: Union[str, Format], input: Union[str, os.PathLike, None] = Non
     if input is not None:
         read = input_options_of(told, threshold=threshold, window=window, **input_options)
         try:
-            reporter.call(c.lib.voxc_build_input, made._handle, c.text(input), ctypes.byref(read), *last)
+            reporter.call(c.lib.voxc_build_input, made._handle, c.needed(input, "an input"), ctypes.byref(read), *last)
         finally:
             told.warn(2)
     elif places is not None:

@@ -71,10 +71,11 @@ def _rows(function, name, input, input_options, progress, speeds, asked):
         options.rays, options.ray_count = rays.ctypes.data, rays.size
     table = ctypes.c_void_p()
     try:
-        reporter.call(function, c.text(input), ctypes.byref(input_options_of(told, **input_options)), ctypes.byref(options), ctypes.byref(table))
-    finally:
-        told.warn(3)
-    try:
+        try:
+            reporter.call(function, c.needed(input, "an input"), ctypes.byref(input_options_of(told, **input_options)), ctypes.byref(options),
+                          ctypes.byref(table))
+        finally:
+            told.warn(3)
         return [_row(table, number, speeds) for number in range(c.lib.voxc_format_table_rows(table))]
     finally:
         c.lib.voxc_format_table_free(table)

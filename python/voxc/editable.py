@@ -32,7 +32,8 @@ class Editable:
     Raises `voxc.Error` for a format that cannot be edited, and says what stands against it."""
 
     def __init__(self, volume: Volume) -> None:
-        self._handle = c.make(c.lib.voxc_editable_create, volume._handle)
+        self._is_applying = False
+        self._handle = c.make(c.lib.voxc_editable_create, c.handle_of(volume, Volume, "what is edited"))
 
     def __del__(self) -> None:
         if getattr(self, "_handle", None):
@@ -40,12 +41,14 @@ class Editable:
 
     def set_box(self, low: Sequence[int], size: Sequence[int], word: int) -> None:
         """Voxels [low, low + size) become `word`; 0 clears them."""
+        self._begin_edit()
         c.check(c.lib.voxc_editable_set_box(self._handle, c.int3(low, "low"), c.int3(size, "size"), arrays.word_of(word)))
 
     def set_sphere(self, centre: Sequence[int], radius: int, word: int) -> None:
         """Voxels whose centre is no farther than `radius` voxels, a whole number, from that of the voxel `centre` become `word`."""
         if not 0 <= radius <= 2**20 or radius != int(radius):
             raise ValueError(f"the radius of a sphere is a whole number from 0 to {2**20}, not {radius}")
+        self._begin_edit()
         c.check(c.lib.voxc_editable_set_sphere(self._handle, c.int3(centre, "centre"), int(radius), arrays.word_of(word)))
 
     def set_voxels(self, places: Any, words: Any) -> None:
@@ -56,18 +59,20 @@ class Editable:
             words = np.full(len(places), arrays.word_of(words), np.uint32)
         else:
             words = arrays.colours_of(words, len(places))
+        self._begin_edit()
         c.check(c.lib.voxc_editable_set_voxels(self._handle, places.ctypes.data, words.ctypes.data, len(places)))
 
     def paste(self, volume: Volume, low: Sequence[int] = (0, 0, 0)) -> None:
         """Puts the voxels of another volume from `low` on; where it is empty nothing changes."""
-        c.check(c.lib.voxc_editable_paste(self._handle, volume._handle, c.int3(low, "low")))
+        self._begin_edit()
+        c.check(c.lib.voxc_editable_paste(self._handle, c.handle_of(volume, Volume, "what is pasted"), c.int3(low, "low")))
 
     def clear(self, low: Sequence[int], size: Sequence[int]) -> None:
         """Empties the voxels [low, low + size)."""
         self.set_box(low, size, 0)
 
     def apply(self, low: Sequence[int], size: Sequence[int], function: Callable[[int, int, int, int], int]) -> None:
-        """Each voxel of a box becomes what `function(x, y, z, word)` says of it."""
+        """Each voxel of a box becomes what `function(x, y, z, word)` says of it, which must not edit this volume itself."""
         raised: list = []
 
         def voxel(_: Any, x: int, y: int, z: int, word: int) -> int:
@@ -78,10 +83,19 @@ class Editable:
                 return word
 
         before = self.snapshot()
-        c.check(c.lib.voxc_editable_apply(self._handle, c.int3(low, "low"), c.int3(size, "size"), c.EDITED_VOXEL(voxel), None))
+        self._begin_edit()
+        self._is_applying = True
+        try:
+            c.check(c.lib.voxc_editable_apply(self._handle, c.int3(low, "low"), c.int3(size, "size"), c.EDITED_VOXEL(voxel), None))
+        finally:
+            self._is_applying = False
         if raised:
             self.restore(before)
             raise raised[0]
+
+    def _begin_edit(self) -> None:
+        if self._is_applying:
+            raise RuntimeError("an edit of this volume is running, whose function must not edit it")
 
     def snapshot(self) -> Snapshot:
         """The state now, which costs nothing."""
@@ -91,10 +105,13 @@ class Editable:
         """Makes a state that of the volume again, be it older or newer: undo and redo."""
         if snapshot._owner is not self:
             raise ValueError("the snapshot is of another volume")
+        self._begin_edit()
         c.lib.voxc_editable_restore(self._handle, snapshot._state)
 
     def view(self, snapshot: Optional[Snapshot] = None) -> Volume:
         """A state, or that of now, as a Volume, which stays what it is while edits go on."""
+        if snapshot is not None and snapshot._owner is not self:
+            raise ValueError("the snapshot is of another volume")
         state = (snapshot or self.snapshot())._state
         return Volume(c.make(c.lib.voxc_editable_view, self._handle, state))
 

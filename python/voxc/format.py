@@ -4,7 +4,7 @@ from __future__ import annotations
 import ctypes
 from typing import Any, Iterable, Optional, Tuple, Union
 
-from ._library import check, lib, make, text
+from ._library import check, lib, make, needed, text
 
 
 def list_of(names: Union[str, Iterable[str], None]) -> Optional[bytes]:
@@ -17,7 +17,7 @@ class Format:
     "whole-level-dedup", and run in their order."""
 
     def __init__(self, written: str, passes: Union[str, Iterable[str], None] = None) -> None:
-        self._handle = make(lib.voxc_format_parse, text(written), list_of(passes))
+        self._handle = make(lib.voxc_format_parse, needed(written, "a format"), list_of(passes))
 
     def __del__(self) -> None:
         if getattr(self, "_handle", None):

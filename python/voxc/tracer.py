@@ -118,6 +118,13 @@ def _clip_planes(given: Any) -> Tuple[Any, int]:
     return (ctypes.c_double * planes.size)(*planes.reshape(-1)), len(planes)
 
 
+def _handle_of(given: Any, name: str) -> Any:
+    """What the library knows a Volume or an Editable by."""
+    from . import Editable, Volume
+
+    return c.handle_of(given, {"Editable": Editable, "Volume": Volume}[name], "what is traced")
+
+
 TRACER_OPTIONS = ("threads", "query", "outputs", "precision", "passes", "bounds")
 RENDER_OPTIONS = ("style", "view", "eye", "look", "fov", "samples", "progress", "clip_box", "clip_planes", "orthographic", "view_height")
 
@@ -131,7 +138,7 @@ class Tracer:
     def __init__(self, volume: Volume, device: Optional[str] = None, *, threads: Optional[int] = None, query: Optional[str] = None,
                  outputs: Names = None, precision: Optional[str] = None, passes: Names = None, bounds: bool = False) -> None:
         self._volume = volume
-        self._followed: Optional[Editable] = None
+        self._followed: Optional[Tuple[Editable, Any]] = None
         self._options = dict(device=c.text(device), threads=threads, query=c.text(query), outputs=list_of(outputs),
                              precision=c.text(precision), passes=list_of(passes))
         self._handle = self._create(bounds=int(bounds))
@@ -144,8 +151,9 @@ class Tracer:
 
     def _create(self, bounds: int) -> Any:
         options = c.options(c.TracerOptions, bounds=bounds, **self._options)
-        volume = self._followed.view() if self._followed else self._volume
-        return c.make(c.lib.voxc_tracer_create, volume._handle, ctypes.byref(options))
+        editable, state = self._followed or (None, None)
+        volume = editable.view(state) if editable else self._volume
+        return c.make(c.lib.voxc_tracer_create, _handle_of(volume, "Volume"), ctypes.byref(options))
 
     def __del__(self) -> None:
         handles = [getattr(self, name, None) for name in ("_handle", "_bounded_handle")]
@@ -175,11 +183,12 @@ class Tracer:
         """Takes another volume of the same format, such as an edited one, in place of its own. Only what differs is brought
         to the device; returns how many bytes that was. A volume of another format takes a tracer of its own:
         `volume.tracer()`."""
+        given = _handle_of(volume, "Volume")
         copied = ctypes.c_uint64()
         total = 0
         handles = [handle for handle in (self._handle, self._bounded_handle) if handle]
         for handle in {handle.value: handle for handle in handles}.values():
-            c.check(c.lib.voxc_tracer_update(handle, volume._handle, ctypes.byref(copied)))
+            c.check(c.lib.voxc_tracer_update(handle, given, ctypes.byref(copied)))
             total += copied.value
         self._volume = volume
         self._followed = None
@@ -190,8 +199,8 @@ class Tracer:
         what changed since then is brought to the device; returns how many bytes that was. No other tracer may follow the
         same one."""
         copied = ctypes.c_uint64()
-        c.check(c.lib.voxc_tracer_follow(self._handle, editable._handle, ctypes.byref(copied)))
-        self._followed = editable
+        c.check(c.lib.voxc_tracer_follow(self._handle, _handle_of(editable, "Editable"), ctypes.byref(copied)))
+        self._followed = editable, editable.snapshot()
         if self._bounded_handle and self._bounded_handle.value != self._handle.value:
             c.lib.voxc_tracer_free(self._bounded_handle)
             self._bounded_handle = None

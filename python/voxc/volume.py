@@ -36,11 +36,11 @@ class Volume:
         """Opens a .hvx file. `trusted` leaves out the proof that every offset in it is right. `frame`, from 1 on: this frame
         of an animation alone; 0: the first, beside all others."""
         options = c.options(c.LoadOptions, trusted=int(trusted), threads=threads, frame=frame)
-        return cls(c.make(c.lib.voxc_volume_load, c.text(path), ctypes.byref(options)))
+        return cls(c.make(c.lib.voxc_volume_load, c.needed(path, "a path"), ctypes.byref(options)))
 
     def save(self, path: Path, compress: bool = False) -> None:
         """Writes a .hvx file; one that was there stays until the new one is whole."""
-        c.check(c.lib.voxc_volume_save(self._handle, c.text(path), int(compress)))
+        c.check(c.lib.voxc_volume_save(self._handle, c.needed(path, "a path"), int(compress)))
 
     @property
     def format(self) -> str:
@@ -100,8 +100,7 @@ class Volume:
         """What kernels read, as an array that cannot be written."""
         count = ctypes.c_uint64()
         first = c.lib.voxc_volume_words(self._handle, ctypes.byref(count))
-        words = np.ctypeslib.as_array(first, (count.value,)).view(_KeepingArray)
-        words.keeps = self
+        words = np.frombuffer(c.memory_of(self, ctypes.cast(first, ctypes.c_void_p).value, 4 * count.value), np.uint32)
         words.flags.writeable = False
         return words
 
@@ -109,15 +108,14 @@ class Volume:
         """The elements of an attribute as rows of bytes [voxel, byte], by the numbers of the voxels; `.view("<f4")` and the
         like make numbers of them. KeyError where there is none."""
         size = ctypes.c_uint32()
-        first = c.lib.voxc_volume_attribute(self._handle, c.text(name), ctypes.byref(size))
+        first = c.lib.voxc_volume_attribute(self._handle, c.needed(name, "a name"), ctypes.byref(size))
         if size.value == 0:
             raise KeyError(name)
         shape = (self.voxels, size.value)
         if self.voxels == 0:
             return np.empty(shape, np.uint8)
-        pointer = ctypes.cast(first, ctypes.POINTER(ctypes.c_uint8))
-        elements = np.ctypeslib.as_array(pointer, shape).view(_KeepingArray)
-        elements.keeps = self
+        address = ctypes.cast(first, ctypes.c_void_p).value
+        elements = np.frombuffer(c.memory_of(self, address, self.voxels * size.value), np.uint8).reshape(shape)
         elements.flags.writeable = False
         return elements
 
@@ -126,7 +124,7 @@ class Volume:
         their numbers."""
         elements = elements_of(elements, self.voxels)
         size = elements.itemsize * int(np.prod(elements.shape[1:]))
-        return Volume(c.make(c.lib.voxc_volume_with_attribute, self._handle, c.text(name), size, elements.ctypes.data))
+        return Volume(c.make(c.lib.voxc_volume_with_attribute, self._handle, c.needed(name, "a name"), size, elements.ctypes.data))
 
     @property
     def to_model(self) -> np.ndarray:
@@ -205,10 +203,3 @@ class Volume:
     def __repr__(self) -> str:
         extent = " x ".join(map(str, self.extent))
         return f"<voxc.Volume of {self.voxels} voxels in {extent}, {self.bytes} bytes>"
-
-
-class _KeepingArray(np.ndarray):
-    """An array of a volume's memory, which keeps the volume."""
-
-    def __array_finalize__(self, parent: Any) -> None:
-        self.keeps = getattr(parent, "keeps", None)
