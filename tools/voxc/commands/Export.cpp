@@ -110,7 +110,7 @@ private:
       return Error::usage("--slices is for pictures, whose name ends in .png");
     options_.slices = fromString<SlicePlane>(slices_).value_or(SlicePlane::Z);
     if (isVox || isPicture)
-      numbered_ = isVox ? NumberedPath::parse(output_) : parseNumberedName(output_);
+      numbered_ = parseNumberedName(output_);
     if (options_.lossy && !isVox)
       return Error::usage("--lossy is for a file that ends in .vox; every other kind keeps all colours");
     if (page_ && page_->isPage(output_)) {
