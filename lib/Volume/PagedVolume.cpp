@@ -29,6 +29,15 @@ struct PagedVolume::State {
   Error broken(const std::string &problem) const { return Error::input("'" + name + "' " + problem); }
   /// All that the head says. The error follows the file's name.
   Expected<void> readHead();
+
+  /// Of those of the first frame: others have none.
+  void dropStreamsOfVoxels() {
+    for (std::size_t i = streams.size(); i-- > 1;)
+      if (streams[i].name != kFrameStream) {
+        streams.erase(streams.begin() + static_cast<std::ptrdiff_t>(i));
+        pages.erase(pages.begin() + static_cast<std::ptrdiff_t>(i));
+      }
+  }
 };
 
 namespace {
@@ -116,7 +125,7 @@ Expected<void> PagedVolume::decode(std::size_t stream, std::uint64_t page, std::
   return {};
 }
 
-/// Decodes the one page that the frame lies in.
+/// Decodes the one page that the frame lies in. With another than the first, streams of voxels are gone.
 Expected<void> PagedVolume::chooseFrame(int number) {
   const auto stream = std::ranges::find(streams(), kFrameStream, &PagedStream::name);
   const bool hasFrames =
@@ -133,10 +142,8 @@ Expected<void> PagedVolume::chooseFrame(int number) {
   std::memcpy(&frame, room.data() + place % stream->pageBytes, sizeof frame);
   state_->frame = frame;
   state_->info.voxels = frame.voxels;
-  if (number > 1) { // All else is of the voxels of the first.
-    state_->streams.resize(1);
-    state_->pages.resize(1);
-  }
+  if (number > 1)
+    state_->dropStreamsOfVoxels();
   return {};
 }
 

@@ -137,7 +137,9 @@ TEST_F(Frames, OthersHaveNoStreamsOfTheFirst) {
   auto paged = PagedVolume::open(pathOf("pages.hvx"));
   ASSERT_TRUE(paged) << paged.error().message;
   ASSERT_TRUE(paged->chooseFrame(2));
-  EXPECT_EQ(paged->streams().size(), 1u);
+  EXPECT_EQ(paged->streams().size(), 2u);
+  EXPECT_EQ(paged->streams().back().name, kFrameStream);
+  ASSERT_TRUE(paged->chooseFrame(1));
 }
 
 TEST_F(Frames, ThatAreEqualAreOne) {
