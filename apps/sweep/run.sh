@@ -45,7 +45,10 @@ while [ "$round" -le "$rounds" ]; do
     if [ ! -e "results/$cell.hits" ]; then
       join "$sample"
       $trace "joined/$volume.hvx" --trusted --kernel "joined/$kernel.spv" --rays "joined/$sample" --count --quiet \
-        -o "results/$cell.hits" </dev/null || echo "the sample of $cell failed" >&2
+        -o "results/$cell.hits" </dev/null || {
+        echo "the sample of $cell failed" >&2
+        failed=$((failed + 1))
+      }
     fi
     # shellcheck disable=SC2046,SC2086 # Options are words.
     if $trace "joined/$volume.hvx" --trusted --kernel "joined/$kernel.spv" $(rays "$kind" "$digest" "$size") \
