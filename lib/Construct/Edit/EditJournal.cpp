@@ -80,6 +80,14 @@ bool takeAccess(const std::string &path, const std::string &other) {
   return taken;
 }
 
+/// Whoever may read a volume, and no one else, may read its journal, which has voxels of it. Its owner goes
+/// on writing to it, though the volume may be for reading alone.
+bool giveAccess(int journal, const std::string &volumePath) {
+  struct stat status{};
+  return platform::takeAccessOf(volumePath, journal) && ::fstat(journal, &status) == 0 &&
+         ((status.st_mode & S_IWUSR) != 0 || ::fchmod(journal, (status.st_mode & 0777) | S_IWUSR) == 0);
+}
+
 /// Sees onto the disk that a folder has a file.
 void syncFolderOf(const std::string &path) {
   const int folder = ::open(platform::folderOf(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -160,7 +168,7 @@ Expected<EditJournal> EditJournal::open(const std::string &volumePath) {
     return cannotWrite(path);
   if (contents.end > 0)
     return journal;
-  if (!platform::takeAccessOf(volumePath, journal.file_)) // It has voxels of the volume.
+  if (!giveAccess(journal.file_, volumePath))
     return cannotWrite(path);
   journal::Head head = journal::kHead;
   head.identity = identity;

@@ -249,11 +249,13 @@ Expected<TriangleScene> readPlyScene(const MeshInput &input) {
   VOXC_TRY(builder.lookAhead(reader));
   // A file may name its faces before its vertices, without which their shape is not known.
   const bool hasFacesFirst = builder.hasFacesFirst();
+  Expected<void> read;
   if (hasFacesFirst) {
     auto ahead = VOXC_TRY(reader.reopened());
-    VOXC_TRY(builder.addAll(ahead, Rows::Vertices));
+    read = builder.addAll(ahead, Rows::Vertices);
   }
-  const auto read = builder.addAll(reader, hasFacesFirst ? Rows::Others : Rows::All);
+  if (read)
+    read = builder.addAll(reader, hasFacesFirst ? Rows::Others : Rows::All);
   if (builder.problem() && builder.problem().error().kind == ErrorKind::Input)
     return reader.broken(builder.problem().error().message);
   if (!read)
