@@ -90,7 +90,7 @@ void check(std::span<const std::unique_ptr<VariantCandidate>> candidates, const 
   std::vector<Hit> sampledHits(count);
   for (const auto &candidate : candidates) {
     for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t at = i * rays.size() / count;
+      const std::size_t at = sampleIndex(i, count, rays.size());
       sampledRays[i] = rays[at];
       sampledHits[i] = candidate->subject.hits()[at];
     }

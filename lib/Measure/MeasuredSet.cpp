@@ -1,6 +1,8 @@
 // Sets of rays, and samples of them.
 #include "voxc/Measure/MeasuredSet.h"
 
+#include "voxc/Oracle/Oracle.h"
+
 #include <algorithm>
 
 namespace voxc::measure {
@@ -58,7 +60,7 @@ MeasuredSet listSet(const std::string &name, std::vector<Ray> rays, RayOrder ord
 std::vector<Hit> SampledRays::sampleOf(std::span<const Hit> hits) const {
   std::vector<Hit> sampled(sample.size());
   for (std::size_t i = 0; i < sampled.size(); ++i)
-    sampled[i] = hits[i * rays.size() / sampled.size()];
+    sampled[i] = hits[sampleIndex(i, sampled.size(), rays.size())];
   return sampled;
 }
 
@@ -66,7 +68,7 @@ SampledRays sampleRays(std::vector<Ray> rays, std::size_t count) {
   SampledRays result{.rays = std::move(rays), .sample = {}, .exact = {}};
   const std::size_t sample = std::min(count, result.rays.size());
   for (std::size_t i = 0; i < sample; ++i)
-    result.sample.push_back(result.rays[i * result.rays.size() / sample]);
+    result.sample.push_back(result.rays[sampleIndex(i, sample, result.rays.size())]);
   return result;
 }
 

@@ -102,7 +102,7 @@ std::vector<Ray> raysInInstances(const Stage &stage, const Subject &subject, con
     inverses.push_back(glm::inverse(glm::dmat4(placement)));
   const std::size_t count = std::min(all.plain.size(), most);
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t number = i * all.plain.size() / count;
+    const std::size_t number = sampleIndex(i, count, all.plain.size());
     const Ray &ray = all.plain[number];
     const InstanceHit &hit = subject.instanceHits()[number];
     for (const glm::dmat4 &inverse : inverses) {

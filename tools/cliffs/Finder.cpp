@@ -23,7 +23,7 @@ std::uint64_t wrongOf(const Stage &stage, const Situation &situation, const Stag
   std::uint64_t wrong = 0;
   const std::size_t count = std::min(span.size(), kComparedRays);
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t at = i * span.size() / count;
+    const std::size_t at = sampleIndex(i, count, span.size());
     const Hit exact = stage.oracle.answer(span[at], question, span.bounds(at));
     const Hit &hit = hits[at];
     wrong += !std::equal(hit.voxel, hit.voxel + 3, exact.voxel) || hit.rgba != exact.rgba || hit.t != exact.t;

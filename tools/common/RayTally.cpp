@@ -1,6 +1,8 @@
 // What traced rays come to.
 #include "RayTally.h"
 
+#include "voxc/Oracle/Oracle.h"
+
 #include <algorithm>
 
 namespace voxc::tool {
@@ -25,7 +27,7 @@ void RayTally::add(const RaySpan &rays, std::span<const Hit> hits, const TraceRe
   // Each call gives as many as all should; whoever checks them leaves some out.
   const std::size_t count = std::min(sample_, rays.size());
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t at = i * rays.size() / count;
+    const std::size_t at = sampleIndex(i, count, rays.size());
     sampledRays_.push_back(bounded(rays[at], rays.bounds(at)));
     sampledHits_.push_back(hits[at]);
   }

@@ -27,7 +27,7 @@ Expected<void> ErrorCheck::run(const Volume &volume, const RaySpan &rays, std::s
   std::vector<BoundedRay> sampledRays(count);
   std::vector<Hit> sampledHits(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t at = i * rays.size() / count;
+    const std::size_t at = sampleIndex(i, count, rays.size());
     sampledRays[i] = bounded(rays[at], rays.bounds(at));
     sampledHits[i] = hits[at];
   }
