@@ -33,6 +33,7 @@ Expected<ComputeLayout> ComputeLayout::create(const Device::State &device,
 Expected<BoundSet> ComputeLayout::bind(std::span<const VkDescriptorBufferInfo> buffers,
                                        VkBufferView texels) const {
   std::vector<VkDescriptorPoolSize> sizes;
+  sizes.reserve(bindings_.size());
   for (const VkDescriptorType type : bindings_)
     sizes.push_back({type, 1});
   VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
