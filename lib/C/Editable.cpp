@@ -67,7 +67,7 @@ voxc_error *voxc_editable_set_voxels(voxc_editable *editable, const int32_t *pla
         return Error::usage("voxel " + std::to_string(i) + " of the list lies outside of all volumes");
       voxels.push_back({at, words[i]});
     }
-    return edit(editable, makeListChange(std::move(voxels)));
+    return edit(editable, makeListChange(voxels));
   });
 }
 

@@ -106,6 +106,7 @@ std::string Printer::global(const Declaration &variable) const {
 
 std::string Printer::head(const Declaration &function) const {
   std::vector<std::string> parameters;
+  parameters.reserve(function.parameters.size());
   for (const Parameter &one : function.parameters)
     parameters.push_back(parameter(one));
   return beforeFunction(function) + type(function.type) + " " + function.name + "(" + joined(parameters) +

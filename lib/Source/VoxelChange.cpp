@@ -87,7 +87,7 @@ private:
 /// Voxels in Morton order, each once: the last that was given.
 class ListChange final : public VoxelChange {
 public:
-  explicit ListChange(std::vector<VoxelWord> voxels) {
+  explicit ListChange(std::span<const VoxelWord> voxels) {
     entries_.reserve(voxels.size());
     for (const VoxelWord &voxel : voxels)
       entries_.push_back({mortonCode(voxel.at), voxel.word});
@@ -208,8 +208,8 @@ std::unique_ptr<VoxelChange> makeSphereChange(Int3 centre, int radius, std::uint
   return std::make_unique<SphereChange>(centre, radius, word);
 }
 
-std::unique_ptr<VoxelChange> makeListChange(std::vector<VoxelWord> voxels) {
-  return std::make_unique<ListChange>(std::move(voxels));
+std::unique_ptr<VoxelChange> makeListChange(std::span<const VoxelWord> voxels) {
+  return std::make_unique<ListChange>(voxels);
 }
 
 std::unique_ptr<VoxelChange> makePasteChange(std::shared_ptr<const Volume> pasted, Int3 low) {

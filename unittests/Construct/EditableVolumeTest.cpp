@@ -65,7 +65,7 @@ std::unique_ptr<VoxelChange> randomList(std::mt19937 &random, Int3 extent, std::
   for (int i = test::pick(random, 1, 20); i > 0; --i)
     voxels.push_back(
         {test::within(random, extent - Int3{1, 1, 1}), test::pick(random, 0, 2) == 0 ? 0 : word});
-  return makeListChange(std::move(voxels));
+  return makeListChange(voxels);
 }
 
 std::unique_ptr<VoxelChange> randomPaste(std::mt19937 &random, Int3 extent) {

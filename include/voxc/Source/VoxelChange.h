@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace voxc {
@@ -50,7 +51,7 @@ struct VoxelWord {
 };
 
 /// Single voxels, in any order; of those given twice the last counts.
-std::unique_ptr<VoxelChange> makeListChange(std::vector<VoxelWord> voxels);
+std::unique_ptr<VoxelChange> makeListChange(std::span<const VoxelWord> voxels);
 
 /// Voxels that differ between two sources, as they are in `after`: 0 where it has none. Errors: those of the
 /// sources; more than 2^30 of them (`Input`).

@@ -38,7 +38,7 @@ private:
     auto voxels = VOXC_TRY(differenceOf(before, after));
     const std::uint64_t changed = voxels.size(), words = volume_.words();
     if (changed != 0)
-      VOXC_TRY(volume_.apply(*makeListChange(std::move(voxels))));
+      VOXC_TRY(volume_.apply(*makeListChange(voxels)));
     if (volume_.words() > options_.maxWords)
       return Error::input("with it the volume has " + std::to_string(volume_.words()) +
                           " words, more than were allowed");
