@@ -4,6 +4,8 @@
 #include "Decode.h"
 #include "StreamTable.h"
 
+#include "voxc/Volume/Frames.h"
+
 namespace voxc {
 namespace {
 
@@ -13,6 +15,9 @@ struct Kept {
   std::vector<std::byte> elements;
 };
 
+/// Streams that say what the voxels are, not what is known of each.
+bool isReserved(std::string_view name) { return name == kWordStream || name == kFrameStream; }
+
 std::vector<Stream> streamsWithout(const Volume &volume, std::string_view name) {
   std::vector<Stream> streams(volume.streams().begin(), volume.streams().end());
   std::erase_if(streams, [&](const Stream &stream) { return stream.name == name; });
@@ -21,8 +26,9 @@ std::vector<Stream> streamsWithout(const Volume &volume, std::string_view name) 
 
 /// What a file could not hold.
 std::string describeProblem(const Volume &volume, const Attribute &attribute) {
-  if (attribute.name == kWordStream)
-    return "an attribute cannot be called 'words', as the words of the volume are";
+  if (isReserved(attribute.name))
+    return "an attribute cannot be called '" + attribute.name + "', as the " + attribute.name +
+           " of the volume are";
   if (!isStreamName(attribute.name))
     return "'" + attribute.name +
            "' is no name of an attribute; it has 1 to 31 of a to z, 0 to 9 and '-', the first a letter";
@@ -73,7 +79,7 @@ Expected<Volume> withAttribute(std::shared_ptr<const Volume> volume, Attribute a
 
 Expected<Volume> withoutAttribute(std::shared_ptr<const Volume> volume, std::string_view name) {
   std::vector<Stream> streams = streamsWithout(*volume, name);
-  if (name == kWordStream || streams.size() == volume->streams().size())
+  if (isReserved(name) || streams.size() == volume->streams().size())
     return Error::usage("the volume has no attribute '" + std::string(name) +
                         "'; voxc info lists its streams");
   VolumeInfo info = volume->info();
@@ -82,7 +88,7 @@ Expected<Volume> withoutAttribute(std::shared_ptr<const Volume> volume, std::str
 
 const Stream *findAttribute(const Volume &volume, std::string_view name) {
   const Stream *const stream = volume.findStream(name);
-  const bool isOne = stream && name != kWordStream && stream->bytes.size() % stream->elementBytes == 0 &&
+  const bool isOne = stream && !isReserved(name) && stream->bytes.size() % stream->elementBytes == 0 &&
                      stream->elements() == volume.info().voxels;
   return isOne ? stream : nullptr;
 }

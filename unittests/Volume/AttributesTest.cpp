@@ -3,12 +3,14 @@
 
 #include "voxc/Render/NormalAttribute.h"
 #include "voxc/Volume/Attributes.h"
+#include "voxc/Volume/Frames.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 
 namespace voxc {
@@ -66,6 +68,7 @@ TEST_F(VolumeFile, TakesNoAttributeThatIsNone) {
     return withAttribute(volume, std::move(attribute)).error().message;
   };
   EXPECT_THAT(errorWith({"words", 1, bytesOf({1})}), HasSubstr("cannot be called 'words'"));
+  EXPECT_THAT(errorWith({"frames", 1, bytesOf({1})}), HasSubstr("cannot be called 'frames'"));
   EXPECT_THAT(errorWith({"Weight", 1, bytesOf({1})}), HasSubstr("is no name"));
   EXPECT_THAT(errorWith({"a-name-that-is-longer-than-thirty-one", 1, bytesOf({1})}), HasSubstr("is no name"));
   EXPECT_THAT(errorWith({"a", 0, {}}), HasSubstr("1 to 256 bytes, not 0"));
@@ -85,6 +88,19 @@ TEST_F(VolumeFile, FindsNoAttributeOfAnotherSize) {
   ASSERT_TRUE(loaded) << loaded.error().message;
   EXPECT_TRUE(loaded->findStream("weight"));
   EXPECT_FALSE(findAttribute(*loaded, "weight"));
+}
+
+/// An animation of one voxel a frame has as many frames as a frame has voxels, and still no attribute of
+/// them.
+TEST_F(VolumeFile, FindsNoAttributeInItsFrames) {
+  const auto words = std::make_shared<const Volume>(small());
+  const std::array<Frame, 1> frames{{{words->words()[0], 0, 1}}};
+  std::vector<Stream> streams(words->streams().begin(), words->streams().end());
+  streams.push_back(frameStream(frames));
+  const auto volume = std::make_shared<const Volume>(words->info(), std::move(streams), words);
+  ASSERT_EQ(framesOf(*volume).size(), 1u);
+  EXPECT_FALSE(findAttribute(*volume, "frames"));
+  EXPECT_THAT(withoutAttribute(volume, "frames").error().message, HasSubstr("no attribute 'frames'"));
 }
 
 /// A file of a few bytes may stand for more voxels than there is memory, or than bytes can be counted.

@@ -21,7 +21,7 @@
 namespace voxc {
 
 struct Attribute {
-  std::string name;               ///< As `Stream::name`, but not `words`.
+  std::string name;               ///< As `Stream::name`, but not `words` or `frames`.
   std::uint32_t elementBytes = 4; ///< 1 to 256.
   std::vector<std::byte> elements;
 };
