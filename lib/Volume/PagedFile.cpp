@@ -1,10 +1,13 @@
-// Decoding all pages of a file, on several threads.
+// Decoding the pages of a file, on several threads.
 #include "PagedFile.h"
 
 #include "Support/ParallelFor.h"
 #include "voxc/Support/WorkingMemory.h"
+#include "voxc/Volume/Frames.h"
 
 #include <algorithm>
+#include <string_view>
+#include <utility>
 
 namespace voxc {
 namespace {
@@ -12,12 +15,17 @@ namespace {
 /// What is decoded between two growths of the memory.
 constexpr std::uint64_t kRunBytes = std::uint64_t{64} << 20;
 
+/// What a byte of the file may stand for in a stream that has more elements than there are voxels: attributes
+/// and coarse blocks have fewer, and frames compress less.
+constexpr std::uint64_t kMostPerStoredByte = 1024;
+/// A stream of so many bytes is decoded whatever it takes in the file.
+constexpr std::uint64_t kSmallBytes = std::uint64_t{1} << 20;
+
 /// Decodes one stream after the other.
 class StreamDecoder {
 public:
   StreamDecoder(const PagedVolume &file, const LoadOptions &options)
-      : file_(file), threads_(options.threads), progress_(options.progress),
-        memory_(options.memory ? options.memory : WorkingMemory::createDefault()) {}
+      : file_(file), threads_(options.threads), progress_(options.progress), memory_(options.memory) {}
 
   /// All of a stream, in a block as large.
   Expected<MemoryBlock> decode(std::size_t stream) const;
@@ -56,19 +64,74 @@ Expected<void> StreamDecoder::decodeRun(std::size_t stream, std::uint64_t first,
   });
 }
 
+/// What the streams of a whole volume lie in.
+struct Kept {
+  Volume proved;
+  std::vector<MemoryBlock> blocks;
+};
+
+bool isProved(std::string_view name) { return name == kWordStream || name == kFrameStream; }
+
+/// True if a stream has more than what an element for each voxel would take, and than what is let pass.
+bool claimsTooMuch(const PagedStream &stream, std::uint64_t voxels) {
+  return stream.bytes > kSmallBytes && stream.bytes / stream.elementBytes > voxels &&
+         stream.bytes / kMostPerStoredByte > stream.storedBytes;
+}
+
+Error tooMuch(const std::string &name, const PagedStream &stream) {
+  return Error::input("'" + name + "' has a stream '" + stream.name + "' of " + std::to_string(stream.bytes) +
+                      " bytes, but it takes " + std::to_string(stream.storedBytes) +
+                      " in the file; a stream of more elements than the volume has voxels has at most " +
+                      std::to_string(kMostPerStoredByte) + " times as many");
+}
+
+Stream streamOf(const PagedStream &told, const MemoryBlock &block) {
+  return {told.name, told.elementBytes, {block.data(), told.bytes}, told.storedBytes};
+}
+
 } // namespace
 
-Expected<Volume> decodeAll(const PagedVolume &file, const LoadOptions &options) {
-  const StreamDecoder decoder(file, options);
+PagedReading::PagedReading(const PagedVolume &file, const std::string &name, const LoadOptions &options)
+    : file_(file), name_(name), options_(options) {
+  if (!options_.memory)
+    options_.memory = WorkingMemory::createDefault();
+}
+
+Expected<Volume> PagedReading::proved() const {
+  const StreamDecoder decoder(file_, options_);
   auto blocks = std::make_shared<std::vector<MemoryBlock>>();
   std::vector<Stream> streams;
-  for (std::size_t i = 0; i < file.streams().size(); ++i) {
-    const PagedStream &told = file.streams()[i];
+  for (std::size_t i = 0; i < file_.streams().size(); ++i) {
+    const PagedStream &told = file_.streams()[i];
+    if (!isProved(told.name))
+      continue;
+    // Of frames there may be more than of voxels, whose number is not known yet.
+    if (told.name != kWordStream && claimsTooMuch(told, 0))
+      return tooMuch(name_, told);
     auto block = VOXC_TRY(decoder.decode(i));
-    streams.push_back({told.name, told.elementBytes, {block.data(), told.bytes}, told.storedBytes});
+    streams.push_back(streamOf(told, block));
     blocks->push_back(std::move(block));
   }
-  return Volume(file.info(), std::move(streams), std::move(blocks));
+  return Volume(file_.info(), std::move(streams), std::move(blocks));
+}
+
+Expected<Volume> PagedReading::whole(Volume proved) const {
+  const StreamDecoder decoder(file_, options_);
+  const auto kept = std::make_shared<Kept>(Kept{std::move(proved), {}});
+  std::vector<Stream> streams;
+  for (std::size_t i = 0; i < file_.streams().size(); ++i) {
+    const PagedStream &told = file_.streams()[i];
+    if (const Stream *const stream = kept->proved.findStream(told.name)) {
+      streams.push_back(*stream);
+      continue;
+    }
+    if (claimsTooMuch(told, kept->proved.info().voxels))
+      return tooMuch(name_, told);
+    auto block = VOXC_TRY(decoder.decode(i));
+    streams.push_back(streamOf(told, block));
+    kept->blocks.push_back(std::move(block));
+  }
+  return Volume(file_.info(), std::move(streams), kept);
 }
 
 } // namespace voxc

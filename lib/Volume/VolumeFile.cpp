@@ -43,13 +43,6 @@ Expected<Volume> readMapped(const Header &header, std::span<const std::byte> byt
   return Volume(std::move(*info), streamsIn(bytes, rows), std::move(owner));
 }
 
-/// A volume whose streams are decoded, and need the file no longer.
-Expected<Volume> readPaged(std::span<const std::byte> bytes, const std::string &name,
-                           const LoadOptions &options) {
-  const auto file = PagedVolume::read(bytes, nullptr, name);
-  return file ? decodeAll(*file, options) : file.error();
-}
-
 /// Follows every pointer of every frame, and counts the voxels.
 Expected<void> checkWords(const Volume &volume, const std::string &name, const Progress &progress) {
   const KeepOn keepOn = [&] { return !progress.stopped(); };
@@ -69,6 +62,24 @@ Expected<void> checkWords(const Volume &volume, const std::string &name, const P
   return {};
 }
 
+/// Proves the words and frames of a volume.
+Expected<void> prove(const Volume &volume, const std::string &name, const LoadOptions &options) {
+  if (auto framed = checkFrames(volume); !framed)
+    return broken(name, framed.error().message);
+  return options.trusted ? Expected<void>() : checkWords(volume, name, options.progress);
+}
+
+/// A volume whose streams are decoded, and need the file no longer. What its voxels ask for is decoded once
+/// there are so many.
+Expected<Volume> readPaged(std::span<const std::byte> bytes, const std::string &name,
+                           const LoadOptions &options) {
+  const auto file = VOXC_TRY(PagedVolume::read(bytes, nullptr, name));
+  const PagedReading reading(file, name, options);
+  auto proved = VOXC_TRY(reading.proved());
+  VOXC_TRY(prove(proved, name, options));
+  return reading.whole(std::move(proved));
+}
+
 } // namespace
 
 Expected<Volume> readVolumeFile(std::span<const std::byte> bytes, std::shared_ptr<const void> owner,
@@ -76,13 +87,10 @@ Expected<Volume> readVolumeFile(std::span<const std::byte> bytes, std::shared_pt
   const auto header = readHeader(bytes);
   if (!header)
     return broken(name, header.error().message);
-  auto volume = header->version == kPagedVersion ? readPaged(bytes, name, options)
-                                                 : readMapped(*header, bytes, std::move(owner), name);
-  if (volume)
-    if (auto framed = checkFrames(*volume); !framed)
-      return broken(name, framed.error().message);
-  if (volume && !options.trusted)
-    VOXC_TRY(checkWords(*volume, name, options.progress));
+  if (header->version == kPagedVersion)
+    return readPaged(bytes, name, options);
+  auto volume = VOXC_TRY(readMapped(*header, bytes, std::move(owner), name));
+  VOXC_TRY(prove(volume, name, options));
   return volume;
 }
 

@@ -124,6 +124,40 @@ TEST_F(HostilePages, TakesNoMemoryForPagesThatAreNot) {
   EXPECT_EQ(memory->scratchPeak(), 0u);
 }
 
+/// Pages of zeros take next to nothing: 2^26 elements of a volume of one voxel lie in a few kilobytes.
+TEST_F(HostilePages, TakesNoMemoryForElementsWithoutVoxels) {
+  const Volume words = small();
+  const std::vector<std::byte> zeros(std::size_t{1} << 26);
+  const auto with = [&](std::size_t bytes, std::uint64_t voxels) {
+    VolumeInfo info = smallInfo();
+    info.voxels = voxels;
+    const Stream stream{"zeros", 1, std::span(zeros).first(bytes)};
+    return compressed(Volume(info, {words.streams()[0], stream}, nullptr));
+  };
+  EXPECT_THAT(errorOf(with(zeros.size(), 1)), HasSubstr("has a stream 'zeros' of 67108864 bytes"));
+  EXPECT_EQ(errorOf(with(std::size_t{1} << 20, 1)), "no error");
+  // A head that claims the voxels is not believed before they are counted, let alone the page that is
+  // damaged.
+  std::string claims = with(zeros.size(), zeros.size());
+  claims.back() ^= 1;
+  EXPECT_THAT(errorOf(claims), HasSubstr("holds 1 voxels, but its header says 67108864"));
+}
+
+/// The same of a volume that has the voxels is an attribute as any other.
+TEST_F(HostilePages, TakesZerosOfEachVoxel) {
+  constexpr std::size_t kVoxels = std::size_t{1} << 21;
+  VolumeInfo info = smallInfo();
+  info.format = *parseFormat("R(7,7,7)");
+  info.voxels = kVoxels;
+  const std::vector<std::uint32_t> words(1 + kVoxels, 1);
+  const std::vector<std::byte> zeros(kVoxels);
+  const std::string bytes = compressed(Volume(info, {wordStream(words), {"zeros", 1, zeros}}, nullptr));
+  const auto loaded = load(bytes);
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_TRUE(std::ranges::equal(loaded->streams()[1].bytes, zeros));
+  EXPECT_LT(loaded->streams()[1].storedBytes, kVoxels / 1024);
+}
+
 /// Whatever a head says, loading ends in an error or in a volume that can be read.
 TEST_F(HostilePages, IsHarmlessWhateverBitOfTheHeadIsFlipped) {
   const std::string whole = two();
