@@ -2,10 +2,10 @@
 #include "search/SearchOptions.h"
 
 #include "choosing/ObjectiveOption.h"
-#include "common/ShellWord.h"
 #include "sweep/Model.h"
 #include "voxc/IR/Query.h"
 #include "voxc/Measure/Machine.h"
+#include "voxc/Support/ShellWord.h"
 
 #include <algorithm>
 #include <map>

@@ -5,13 +5,13 @@
 #include "sweep/Summary.h"
 #include "sweep/SweepArguments.h"
 
-#include "common/ShellWord.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 #include "options/Figures.h"
 #include "options/Outputs.h"
 #include "program/Applications.h"
 #include "voxc/Measure/Machine.h"
+#include "voxc/Support/ShellWord.h"
 
 #include <algorithm>
 #include <set>

@@ -9,6 +9,7 @@
 #include "Support/Platform/File.h"
 #include "Support/Platform/Path.h"
 #include "voxc/Support/File.h"
+#include "voxc/Support/ShellWord.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -98,8 +99,8 @@ Expected<void> checkNoJournal(const std::string &volumePath) {
       std::filesystem::file_size(platform::pathFrom(journalPathOf(volumePath)), failure);
   if (!failure && bytes > kHeadBytes)
     return Error::input("edits of '" + volumePath + "' wait in '" + journalPathOf(volumePath) +
-                        "'; 'voxc edit " + volumePath + " --compact -o " + volumePath +
-                        "' puts them into it");
+                        "'; `voxc edit " + shellWord(volumePath) + " --compact -o " + shellWord(volumePath) +
+                        "` puts them into it");
   return {};
 }
 

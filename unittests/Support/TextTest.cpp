@@ -1,5 +1,6 @@
 // Words, lines and numbers of text.
 #include "Support/Text.h"
+#include "voxc/Support/ShellWord.h"
 
 #include <gtest/gtest.h>
 
@@ -44,6 +45,13 @@ TEST(Text, Words) {
   EXPECT_EQ(takeWord(text), "");
   EXPECT_EQ(trimmed(" a b \r"), "a b");
   EXPECT_EQ(trimmed(" \t"), "");
+}
+
+TEST(Text, WordsOfAShellAreQuoted) {
+  EXPECT_EQ(shellWord("/a/b-1.hvx"), "/a/b-1.hvx");
+  EXPECT_EQ(shellWord("a b.hvx"), "'a b.hvx'");
+  EXPECT_EQ(shellWord("it's"), "'it'\\''s'");
+  EXPECT_EQ(shellWord(""), "''");
 }
 
 TEST(Text, Lines) {

@@ -1,8 +1,8 @@
 // Candidates in words.
 #include "choosing/BuildCommand.h"
 
-#include "common/ShellWord.h"
 #include "voxc/Measure/SearchVerdict.h"
+#include "voxc/Support/ShellWord.h"
 
 namespace voxc::tool {
 

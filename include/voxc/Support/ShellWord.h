@@ -3,9 +3,9 @@
 
 #include <string>
 
-namespace voxc::tool {
+namespace voxc {
 
 /// The word as it is, or in single quotes if a shell would take it for something else.
 std::string shellWord(const std::string &word);
 
-} // namespace voxc::tool
+} // namespace voxc

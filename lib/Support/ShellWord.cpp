@@ -1,12 +1,11 @@
 // Quoting for shells.
-#include "ShellWord.h"
+#include "voxc/Support/ShellWord.h"
 
 #include <algorithm>
 #include <cctype>
 #include <string_view>
 
-namespace voxc::tool {
-
+namespace voxc {
 namespace {
 
 bool isPlain(char c) {
@@ -25,4 +24,4 @@ std::string shellWord(const std::string &word) {
   return text + "'";
 }
 
-} // namespace voxc::tool
+} // namespace voxc
