@@ -17,7 +17,8 @@ namespace voxc {
 /// open so.
 class EditJournal {
 public:
-  /// Opens it, or begins one. What a process that was killed has left of a last transaction is cut off.
+  /// Opens it, or begins one, which is removed again if no edits come to it. What a process that was killed
+  /// has left of a last transaction is cut off.
   /// Errors: no volume file; a journal of another file (`Input`); another process has it; nothing can be
   /// written there
   /// (`Environment`).
@@ -55,6 +56,7 @@ private:
   std::string volumePath_;
   std::string path_;
   int file_ = -1;
+  bool isEmpty_ = false; ///< It has been begun, and has no edits yet.
   VolumeInfo info_;
   std::uint64_t transactions_ = 0;
 };

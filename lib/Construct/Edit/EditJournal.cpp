@@ -133,14 +133,18 @@ Expected<Volume> loadWith(const std::string &path, const std::vector<VoxelEdit> 
 
 } // namespace
 
+/// One without edits goes while it is locked: who has opened it meanwhile finds that it has no name.
 EditJournal::~EditJournal() {
-  if (file_ >= 0)
-    ::close(file_);
+  if (file_ < 0)
+    return;
+  if (isEmpty_ && hasName(file_, path_))
+    platform::removeFile(path_);
+  ::close(file_);
 }
 
 EditJournal::EditJournal(EditJournal &&other) noexcept
     : volumePath_(std::move(other.volumePath_)), path_(std::move(other.path_)),
-      file_(std::exchange(other.file_, -1)), info_(std::move(other.info_)),
+      file_(std::exchange(other.file_, -1)), isEmpty_(other.isEmpty_), info_(std::move(other.info_)),
       transactions_(other.transactions_) {}
 
 Expected<EditJournal> EditJournal::open(const std::string &volumePath) {
@@ -168,6 +172,7 @@ Expected<EditJournal> EditJournal::open(const std::string &volumePath) {
     return cannotWrite(path);
   if (contents.end > 0)
     return journal;
+  journal.isEmpty_ = true;
   if (!giveAccess(journal.file_, volumePath))
     return cannotWrite(path);
   journal::Head head = journal::kHead;
@@ -205,9 +210,10 @@ Expected<void> EditJournal::append(const std::vector<VoxelEdit> &edits, const Lo
   VOXC_TRY(checkEdits(edits, info_.extent));
   VOXC_TRY(prove(edits, options, cache));
   const auto bytes = VOXC_TRY(journal::editsText(edits));
-  auto written = write(journal::recordText(journal::RecordKind::Edits, transactions_, bytes));
-  transactions_ += written ? 1 : 0;
-  return written;
+  VOXC_TRY(write(journal::recordText(journal::RecordKind::Edits, transactions_, bytes)));
+  ++transactions_;
+  isEmpty_ = false;
+  return {};
 }
 
 /// Says that a file has all edits, which is about to take the name of the volume: where the journal is then
