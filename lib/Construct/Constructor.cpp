@@ -87,7 +87,10 @@ BuildResult Constructor::edit(const std::shared_ptr<const Volume> &volume,
   auto parts = VOXC_TRY(EditedParts::create(*volume, rounded ? rounded->view() : source->view(), edits,
                                             state_->functions(), options));
   // What a loader has let through may be shared as no build does it: its parts are proved once more together.
-  return joinParts(*parts, std::move(info), state_->construction, options, Origin::Foreign);
+  auto built = joinParts(*parts, std::move(info), state_->construction, options, Origin::Foreign);
+  if (built && rounded)
+    built->report.colourError = rounded->error();
+  return built;
 }
 
 PartNumbers partNumbersOf(const VoxelSource &source, const Format &format) {

@@ -73,6 +73,15 @@ Expected<void> VolumeArgument::leaveOtherFrames(const std::string &output,
   return {};
 }
 
+void VolumeArgument::noteLostAttributes(const Volume &loaded, const CommonOptions &common) const {
+  if (common.quiet || loaded.streams().size() > 1 || checkNoJournal(path()))
+    return;
+  const auto summary = summarizeVolume(path());
+  if (summary && summary->streams.size() > 1)
+    printNote("warning: the attributes of '" + path() +
+              "' are of its voxels before the edits in its journal, and are left out");
+}
+
 template <typename Load> Expected<Volume> VolumeArgument::loadBy(const Load &load) const {
   const auto options = VOXC_TRY(loadOptions());
   std::error_code ignored;

@@ -35,6 +35,9 @@ public:
   /// Before the frame that was asked for is written to a file: says which part of the volume that is, if it
   /// has others. Error (`Usage`): the file is the one that is read, and would lose them.
   Expected<void> leaveOtherFrames(const std::string &output, const CommonOptions &common) const;
+  /// Says of a volume that `load` gave that edits in its journal have taken its attributes away, if they
+  /// have.
+  void noteLostAttributes(const Volume &loaded, const CommonOptions &common) const;
   /// Whether offsets were left unproven.
   bool trusted() const { return trusted_; }
   /// The format that a kernel of `volume` shall traverse. Error: options that do not go together.

@@ -54,8 +54,9 @@ struct BuildReport {
   std::uint64_t voxels = 0;
   std::uint64_t scratchBytes = 0; ///< Largest size of the scratch file.
   std::vector<LevelReport> levels;
-  std::uint64_t valueWords = 0;           ///< Of values that stand apart.
-  std::optional<ColourError> colourError; ///< Of payloads that round colours, but not of `merge`.
+  std::uint64_t valueWords = 0; ///< Of values that stand apart.
+  /// Of payloads that round colours, but not of `merge`; of an edit over the parts that it built anew.
+  std::optional<ColourError> colourError;
 };
 
 class FragmentSet;

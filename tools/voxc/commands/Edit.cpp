@@ -1,5 +1,6 @@
 // voxc edit: replaces boxes of a volume: in a journal beside it, or by a build of what they touch.
 #include "voxc/Source/Edit.h"
+#include "building/ColourLoss.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 #include "options/BuildArguments.h"
@@ -11,9 +12,12 @@
 #include "program/Subcommand.h"
 #include "voxc/Construct/Constructor.h"
 #include "voxc/Construct/EditJournal.h"
+#include "voxc/Layout/Values.h"
 #include "voxc/Support/Stopwatch.h"
 #include "voxc/Support/UserCache.h"
+#include "voxc/Volume/VolumeSummary.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <filesystem>
@@ -79,6 +83,18 @@ Expected<VoxelEdit> parsePaste(const std::string &text) {
   const Int3 extent = volume.info().extent;
   return VoxelEdit{
       {(*low)[0], (*low)[1], (*low)[2]}, extent, 0, std::make_shared<const Volume>(std::move(volume))};
+}
+
+/// True if an edit brings colours that a volume keeps in place of others.
+bool isRounded(const VoxelEdit &edit, const Rounding &rounding) {
+  if (!edit.pasted)
+    return edit.word != 0 && rounding(edit.word) != edit.word;
+  bool rounds = false;
+  (void)decode(*edit.pasted, [&](const Cube &, std::uint32_t word) {
+    rounds = rounding(word) != word;
+    return !rounds; // It ends early then, as if it were interrupted.
+  });
+  return rounds;
 }
 
 /// The kinds of edits, each an option.
@@ -163,11 +179,30 @@ private:
       return volumeFailure(journal.error());
     const auto options = VOXC_TRY(volume_.loadOptions());
     VOXC_TRY(journal->append(edits, options, compileCache()));
+    if (!common_.quiet)
+      VOXC_TRY(noteWhatIsLost(edits, journal->volume().format));
     Json figures;
     figures["edits"] = edits.size();
     figures["transactions"] = journal->transactions();
     addWritten(figures, journalPathOf(volume_.path()));
     return tellFigures(common_, figures);
+  }
+
+  /// What a reader of the journal will make otherwise of the volume or of the edits.
+  Expected<void> noteWhatIsLost(const std::vector<VoxelEdit> &edits, const Format &format) const {
+    const auto summary = VOXC_TRY(summarizeVolume(volume_.path()));
+    if (summary.streams.size() > 1)
+      noteLostAttributes();
+    const Rounding rounding = roundingOf(layoutOf(format).payload);
+    for (std::size_t i = 0; rounding && i < edits.size(); ++i)
+      if (isRounded(edits[i], rounding))
+        printNote("lossy: edit " + std::to_string(i + 1) +
+                  " has colours that the format rounds; --compact tells by how much");
+    return {};
+  }
+
+  static void noteLostAttributes() {
+    printNote("warning: what is edited has no attributes; voxc attach gives it new ones");
   }
 
   Expected<void> writeVolume(std::vector<VoxelEdit> edits) {
@@ -191,7 +226,7 @@ private:
     auto waiting = VOXC_TRY(readJournal(volume_.path()));
     edits.insert(edits.begin(), waiting.begin(), waiting.end());
     if (volume->streams().size() > 1 && !common_.quiet)
-      printNote("warning: what is edited has no attributes; voxc attach gives it new ones");
+      noteLostAttributes();
     ProgressBar bar(common_.quiet);
     Json figures;
     if (Expected<void> edited = journal ? foldIn(*journal, volume, edits, bar.progress(), figures)
@@ -199,7 +234,16 @@ private:
         !edited)
       return edited;
     bar.clear();
+    tellLoss(figures);
     return tellFigures(common_, figures);
+  }
+
+  void tellLoss(Json &figures) const {
+    if (!loss_)
+      return;
+    figures["colour_error"] = errorFigures(*loss_);
+    if (!common_.quiet && std::ranges::any_of(loss_->largest, [](int largest) { return largest > 0; }))
+      printNote("lossy: " + errorText(*loss_));
   }
 
   /// True if the volume takes the place of the one that is read, which has a journal.
@@ -211,7 +255,7 @@ private:
 
   /// Writes the file under another name first.
   Expected<void> foldIn(EditJournal &journal, const std::shared_ptr<const Volume> &volume,
-                        const std::vector<VoxelEdit> &edits, const Progress &progress, Json &figures) const {
+                        const std::vector<VoxelEdit> &edits, const Progress &progress, Json &figures) {
     std::error_code failure;
     std::filesystem::path own = output_; // The file itself, where that is a link to it.
     if (std::filesystem::is_symlink(own, failure))
@@ -226,7 +270,7 @@ private:
   }
 
   Expected<void> edit(const std::shared_ptr<const Volume> &volume, const std::vector<VoxelEdit> &edits,
-                      const std::string &path, const Progress &progress, Json &figures) const {
+                      const std::string &path, const Progress &progress, Json &figures) {
     auto constructor = VOXC_TRY(Constructor::compile(volume->format(), compileCache()));
     BuildOptions options;
     options.provenance = provenanceOf(*volume, edits.size());
@@ -235,6 +279,7 @@ private:
     options.compress = arguments_.compress;
     options.progress = progress;
     auto built = VOXC_TRY(constructor.edit(volume, edits, options));
+    loss_ = built.report.colourError;
     figures["edits"] = edits.size();
     addVolumeFigures(figures, built.volume);
     addBuildFigures(figures, built.report);
@@ -256,6 +301,7 @@ private:
   std::string output_;
   bool journal_ = false;
   bool compact_ = false;
+  std::optional<ColourError> loss_; ///< Of what was built, where the format rounds colours.
   BuildArguments arguments_;
   CommonOptions common_;
 };

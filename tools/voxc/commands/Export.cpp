@@ -72,6 +72,7 @@ public:
     Expected<Volume> volume = volume_.load();
     if (!volume)
       return volume.error();
+    volume_.noteLostAttributes(*volume, common_);
     ProgressBar bar(common_.quiet);
     const Stopwatch watch;
     Json figures;
@@ -113,6 +114,10 @@ private:
       numbered_ = parseNumberedName(output_);
     if (options_.lossy && !isVox)
       return Error::usage("--lossy is for a file that ends in .vox; every other kind keeps all colours");
+    if (options_.lossy && hasLabels(volume.format()))
+      return Error::usage(
+          "--lossy chooses colours, but the voxels have labels, which a .vox file keeps as they "
+          "are; leave it out");
     if (page_ && page_->isPage(output_)) {
       if (options_.save.compress)
         return Error::usage(
