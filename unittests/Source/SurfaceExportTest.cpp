@@ -3,10 +3,16 @@
 
 #include "voxc/Mesh/MeshSource.h"
 #include "voxc/Source/Export.h"
+#include "voxc/Support/File.h"
+
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdlib>
 #include <random>
 
 namespace voxc {
@@ -113,6 +119,53 @@ TEST(SurfaceExport, HasEveryVisibleFaceOnce) {
       EXPECT_EQ(rowsOf(scene->instances[0].toModel),
                 (std::array<double, 12>{0, 0, 2, 5, 0, 2, 0, 6, -2, 0, 0, 7}));
     }
+}
+
+/// The matrices of the nodes of a .glb, column by column.
+std::vector<std::array<double, 16>> matricesOf(const std::string &path) {
+  const std::string text = *readTextFile(path);
+  const std::string begin = R"("matrix":[)";
+  std::vector<std::array<double, 16>> matrices;
+  for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at)) {
+    at += begin.size();
+    for (double &entry : matrices.emplace_back()) {
+      char *end = nullptr;
+      entry = std::strtod(text.c_str() + at, &end);
+      at = static_cast<std::size_t>(end - text.c_str()) + 1;
+    }
+  }
+  return matrices;
+}
+
+glm::dmat3 linearPartOf(const std::array<double, 16> &m) {
+  return {m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]};
+}
+
+/// glTF allows no node whose matrix is skew: rotations with a scale between them are none, and give the same.
+TEST(SurfaceExport, WritesASkewMapAsTwoNodes) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path("v.glb");
+  const Voxels voxels{{mortonCode({1, 0, 0}), rgba(9, 8, 7)}};
+  for (const std::array<double, 12> &rows :
+       {std::array<double, 12>{1, 0.5, 0, 5, 0, 1, 0, 6, 0, 0, 1, 7}, // Sheared, as a tilted scan is;
+        {-2, 0.1, 0.7, 1, 0.3, 3, -1, 2, 0.2, 0.4, 0.5, 3},           // mirrored as well;
+        {1, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0}}) {                      // without a volume.
+    ASSERT_TRUE(exportVoxels(denseVolume(voxels, {2, 2, 2}, transformOfRows(rows)), path));
+    const auto matrices = matricesOf(path);
+    ASSERT_EQ(matrices.size(), 2u);
+    for (const auto &matrix : matrices) {
+      const glm::dmat3 columns = linearPartOf(matrix);
+      for (int i = 0; i < 3; ++i)
+        EXPECT_NEAR(glm::dot(columns[i], columns[(i + 1) % 3]), 0, 1e-12);
+    }
+    EXPECT_NEAR(glm::determinant(linearPartOf(matrices[1])), 1, 1e-12);
+    const auto scene = loadScene(path, WorkingMemory::createDefault());
+    ASSERT_TRUE(scene) << scene.error().message;
+    ASSERT_EQ(scene->instances.size(), 1u);
+    const auto read = rowsOf(scene->instances[0].toModel);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      EXPECT_NEAR(read[i], rows[i], 1e-12) << i;
+  }
 }
 
 /// The voxels of `path`, a mesh in units of voxels.
