@@ -5,6 +5,7 @@
 #include "Assimp/TrialRead.h"
 #include "Input/Openers/Openers.h"
 #include "Mesh/NumberCheck.h"
+#include "Support/PathEnding.h"
 #include "Support/ResidentGrowth.h"
 #include "Support/Text.h"
 
@@ -16,6 +17,8 @@
 
 #include <exception>
 #include <mutex>
+#include <optional>
+#include <string_view>
 
 namespace voxc {
 
@@ -59,9 +62,43 @@ private:
   WarningStream stream_;
 };
 
-/// A scene without meshes stays without: assimp would make some of its skeleton.
+/// True if a face of an .off file has numbers behind its corners: a colour, which assimp passes over.
+bool hasFaceColours(std::string_view text) {
+  TextLines lines(text);
+  const auto next = [&]() -> std::optional<std::string_view> {
+    while (const auto line = lines.next())
+      if (const auto content = trimmed(line->substr(0, line->find('#'))); !content.empty())
+        return content;
+    return std::nullopt;
+  };
+  auto counts = next();
+  if (counts && counts->find("OFF") != std::string_view::npos) {
+    takeWord(*counts);
+    if (trimmed(*counts).empty())
+      counts = next();
+  }
+  const auto vertices = counts ? parseInteger(takeWord(*counts)) : std::nullopt;
+  for (std::int64_t i = 0; vertices && i < *vertices; ++i)
+    if (!next())
+      return false;
+  while (auto face = next()) {
+    const auto corners = parseInteger(takeWord(*face));
+    std::int64_t words = 0;
+    while (!takeWord(*face).empty())
+      ++words;
+    if (!corners || words > *corners)
+      return corners.has_value();
+  }
+  return false;
+}
+
+/// A scene without meshes stays without: assimp would make some of its skeleton. Later versions of it turn
+/// the up of .fbx files, which is done here of all.
 const aiScene *readWith(Assimp::Importer &importer, const std::string &path) {
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+#ifdef AI_CONFIG_IMPORT_FBX_IGNORE_UP_DIRECTION
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_IGNORE_UP_DIRECTION, true);
+#endif
   return importer.ReadFile(path, 0);
 }
 
@@ -92,6 +129,10 @@ Expected<TriangleScene> read(const MeshInput &input) {
   if (!found)
     return Error::input("'" + input.path + "' cannot be read through assimp: " + importer.GetErrorString());
   const std::uint64_t taken = growth.bytes();
+  const auto bytes = input.file->bytes();
+  if (pathEnding(input.path) == ".off" &&
+      hasFaceColours({reinterpret_cast<const char *>(bytes.data()), bytes.size()}))
+    warnings.add("colours of faces are not read, and those of vertices are");
   auto scene = VOXC_TRY(sceneOf(*found, input, warnings));
   scene.loaderPeakBytes += taken;
   scene.warnings = warnings.take();

@@ -2,8 +2,10 @@
 #include "Assimp/AssimpScene.h"
 
 #include "Assimp/AssimpMaterials.h"
+#include "Mesh/ColourScale.h"
 #include "Mesh/KeptArray.h"
 #include "Mesh/Polygon.h"
+#include "Support/PathEnding.h"
 #include "Support/Problem.h"
 
 #include <array>
@@ -21,6 +23,22 @@ Transform transformOf(const aiMatrix4x4 &m) {
   return transformOfRows({m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4});
 }
 
+/// What turns the up of a scene to +y. Of .fbx files assimp tells which axis it is, and leaves them as they
+/// are.
+Transform toUpright(const aiScene &scene) {
+  std::int32_t axis = 1, sign = 1;
+  if (scene.mMetaData) {
+    scene.mMetaData->Get("UpAxis", axis);
+    scene.mMetaData->Get("UpAxisSign", sign);
+  }
+  const double up = sign < 0 ? -1 : 1;
+  if (axis == 0)
+    return transformOfRows({0, -up, 0, 0, up, 0, 0, 0, 0, 0, 1, 0});
+  if (axis == 2)
+    return transformOfRows({1, 0, 0, 0, 0, 0, up, 0, 0, -up, 0, 0});
+  return transformOfRows({1, 0, 0, 0, 0, up, 0, 0, 0, 0, up, 0});
+}
+
 /// Which of a mesh's parts are faces, lines and points.
 constexpr std::array<PrimitiveMode, 3> kModes{PrimitiveMode::Points, PrimitiveMode::Lines,
                                               PrimitiveMode::Triangles};
@@ -33,10 +51,11 @@ public:
 
   Expected<TriangleScene> copy() {
     materials_.readAll();
+    measureColours();
     for (unsigned i = 0; i < from_.mNumMeshes && !problem_; ++i)
       addMesh(*from_.mMeshes[i]);
     if (from_.mRootNode && !problem_)
-      addNode(*from_.mRootNode, Transform(), 0);
+      addNode(*from_.mRootNode, toUpright(from_), 0);
     warn();
     scene_.loaderPeakBytes += materials_.libraryPeakBytes();
     if (problem_)
@@ -50,6 +69,28 @@ private:
     std::uint32_t first;
     std::uint32_t end;
   };
+
+  /// Before any is copied: what stands for the brightest is the same in all meshes.
+  void measureColours() {
+    for (unsigned i = 0; i < from_.mNumMeshes; ++i) {
+      const aiMesh &mesh = *from_.mMeshes[i];
+      for (unsigned j = 0; mesh.HasVertexColors(0) && j < mesh.mNumVertices; ++j) {
+        const aiColor4D &colour = mesh.mColors[0][j];
+        for (const float channel : {colour.r, colour.g, colour.b})
+          colourScale_.add(channel);
+        alphaScale_.add(colour.a);
+      }
+    }
+  }
+
+  AttributeView coloursOf(const aiMesh &mesh) {
+    const auto whole = static_cast<float>(colourScale_.whole());
+    const auto wholeAlpha = static_cast<float>(alphaScale_.whole());
+    return rows<std::array<float, 4>>(mesh, {AttributeView::Type::Float32, 4}, [&](unsigned i) {
+      const aiColor4D &colour = mesh.mColors[0][i];
+      return std::array{colour.r / whole, colour.g / whole, colour.b / whole, colour.a / wholeAlpha};
+    });
+  }
 
   void addMesh(const aiMesh &mesh) {
     Parts parts{static_cast<std::uint32_t>(scene_.parts.size()), 0};
@@ -65,10 +106,10 @@ private:
     if (material.emissionTexture.texture >= 0)
       part.emissionUvs = sets.emission == sets.colour ? part.uvs : uvsOf(mesh, sets.emission);
     if (mesh.HasVertexColors(0))
-      part.colours = rows<std::array<float, 4>>(mesh, {AttributeView::Type::Float32, 4}, [&](unsigned i) {
-        const aiColor4D &colour = mesh.mColors[0][i];
-        return std::array{colour.r, colour.g, colour.b, colour.a};
-      });
+      part.colours = coloursOf(mesh);
+    // An .off file has no materials: assimp gives it a grey one, which would darken the colours.
+    if (part.colours && pathEnding(input_.path) == ".off")
+      scene_.materials[part.material].colour = {1, 1, 1, 1};
     lacksUvs_ = lacksUvs_ || (!part.uvs && material.texture.texture >= 0) ||
                 (!part.emissionUvs && material.emissionTexture.texture >= 0);
     addIndices(mesh, part);
@@ -145,6 +186,9 @@ private:
   }
 
   void warn() {
+    if (colourScale_.whole() != 1)
+      warnings_.add("the colours of vertices are not below 1, and are taken as numbers that count to " +
+                    std::to_string(static_cast<std::uint64_t>(colourScale_.whole())));
     if (hasBones_)
       warnings_.add("skins are not applied: the model is read as its nodes place it");
     if (hasMorphs_)
@@ -169,6 +213,8 @@ private:
   std::vector<Parts> parts_;
   std::vector<PolygonCutter::Point> points_;
   PolygonCutter cutter_;
+  ColourScale colourScale_;
+  ColourScale alphaScale_;
   bool hasBones_ = false;
   bool hasMorphs_ = false;
   bool lacksUvs_ = false; ///< A mesh with a texture.

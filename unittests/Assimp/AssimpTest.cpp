@@ -19,6 +19,7 @@
 namespace voxc {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -200,6 +201,43 @@ TEST_F(AssimpMeshes, OffFiles) {
   const Input input = open("m.off", "OFF\n4 1 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n4 0 1 2 3\n");
   EXPECT_EQ(voxelsOf(*input.source).size(), 4u);
   EXPECT_EQ(input.triangles, 2u);
+}
+
+TEST_F(AssimpMeshes, ColoursThatCountTo255AreTakenSo) {
+  for (const char *const colour : {"255 128 0 255", "1 0.502 0 1", "255 128 0 1"}) {
+    std::string file = "COFF\n4 1 0\n";
+    for (const char *const corner : {"0 0 0 ", "2 0 0 ", "2 2 0 ", "0 2 0 "})
+      file += std::string(corner) + colour + "\n";
+    const Input input = open("m.off", file + "4 0 1 2 3\n");
+    const Voxels voxels = voxelsOf(*input.source);
+    EXPECT_EQ(voxels.size(), 4u);
+    for (const auto &[code, word] : voxels)
+      EXPECT_EQ(word, rgba(255, 128, 0)) << colour;
+    if (colour[0] == '1')
+      EXPECT_THAT(input.warnings, IsEmpty());
+    else
+      EXPECT_THAT(input.warnings, ElementsAre(HasSubstr("numbers that count to 255")));
+  }
+}
+
+TEST_F(AssimpMeshes, ColoursOfFacesAreSaidToBeLeftOut) {
+  const std::string vertices = "# a square\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n";
+  EXPECT_THAT(open("m.off", "OFF\n4 1 0\n" + vertices + "4 0 1 2 3 255 0 0\n").warnings,
+              ElementsAre(HasSubstr("colours of faces are not read")));
+  EXPECT_THAT(open("m.off", "OFF 4 1 0\n" + vertices + "4 0 1 2 3 # 255 0 0\n").warnings, IsEmpty());
+}
+
+/// A triangle that is four high along z and two wide along x.
+TEST_F(AssimpMeshes, TheUpOfAnFbxFileIsTurnedToY) {
+  const auto extentWith = [&](const std::string &settings) {
+    std::string file = fbx("");
+    file.replace(file.find("2,2,0"), 5, "2,0,4");
+    const std::string version = "GlobalSettings: {\n Version: 1000\n";
+    file.insert(file.find(version) + version.size(), " Properties70: {\n" + settings + " }\n");
+    return open("m.fbx", file).source->extent();
+  };
+  EXPECT_EQ(extentWith("  P: \"UpAxis\", \"int\", \"Integer\", \"\",1\n"), (Int3{1, 1, 2}));
+  EXPECT_EQ(extentWith("  P: \"UpAxis\", \"int\", \"Integer\", \"\",2\n"), (Int3{1, 2, 1}));
 }
 
 /// A chunk of a .3ds.
