@@ -19,9 +19,10 @@ namespace {
 constexpr double kOutsideFov = 38; ///< Degrees: little perspective, as things look from some steps away.
 constexpr double kInsideFov = 70;
 
-/// Pixels across the pictures by which a view is found: one of the whole box, and one of what it shows.
-constexpr int kProbeWidth = 192;
-constexpr int kCloseWidth = 448;
+/// Pixels along the longer side of the pictures by which a view is found: one of the whole box, and one of
+/// what it shows.
+constexpr int kProbeSide = 192;
+constexpr int kCloseSide = 448;
 /// The close one shows more than the frame, so that what lies beyond its edges is seen too.
 constexpr double kBeyond = 1.2;
 
@@ -82,11 +83,18 @@ Camera widened(Camera camera, double times) {
   return camera;
 }
 
-/// Adds the voxels that a picture of a camera shows, so many pixels wide.
-Expected<void> addVoxelsSeen(Camera camera, int width, TraceRays trace,
+/// The camera with so many pixels along the longer side.
+Camera resized(Camera camera, int longer) {
+  const int before = std::max(camera.width, camera.height);
+  camera.width = std::max(1, longer * camera.width / before);
+  camera.height = std::max(1, longer * camera.height / before);
+  return camera;
+}
+
+/// Adds the voxels that a picture of a camera shows, so many pixels along its longer side.
+Expected<void> addVoxelsSeen(const Camera &whole, int longer, TraceRays trace,
                              std::vector<std::array<std::int32_t, 3>> &voxels) {
-  camera.height = std::max(1, width * camera.height / camera.width);
-  camera.width = width;
+  const Camera camera = resized(whole, longer);
   const std::vector<Ray> rays = cameraRays(camera);
   std::vector<Hit> hits(rays.size());
   VOXC_TRY(trace(rays, hits, {}));
@@ -115,7 +123,7 @@ Expected<Camera> outsideCamera(View view, const Volume &volume, TraceRays trace,
   for (const bool isClose : {false, true}) {
     const Camera probe = isClose ? widened(camera, kBeyond) : camera;
     if (Expected<void> seen =
-            addVoxelsSeen(probe, isClose ? int(kCloseWidth * kBeyond) : kProbeWidth, trace, voxels);
+            addVoxelsSeen(probe, isClose ? int(kCloseSide * kBeyond) : kProbeSide, trace, voxels);
         !seen)
       return seen.error();
     if (voxels.empty())

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace voxc {
 namespace {
@@ -122,6 +123,16 @@ TEST(ViewCamera, FillsTheFrameFromOutside) {
   for (const View view : {View::Auto, View::Iso, View::Front, View::Top}) {
     const std::vector<Hit> hits = pictureOf(*viewCamera(view, volume, tracer, 40, 40), tracer);
     EXPECT_GT(std::ranges::count_if(hits, &Hit::isHit), 600) << toString(view);
+  }
+}
+
+TEST(ViewCamera, TakesFewRaysForAPictureOfAnyShape) {
+  const Volume volume = volumeWhere([](int x, int y, int z) { return x < 3 && y < 3 && z < 3; });
+  OracleTracer tracer(volume);
+  for (const auto &[width, height] : {std::pair(1, 32768), std::pair(32768, 1), std::pair(300, 400)}) {
+    tracer.count = 0;
+    ASSERT_TRUE(viewCamera(View::Front, volume, tracer, width, height));
+    EXPECT_LT(tracer.count, 400'000u) << width << "x" << height;
   }
 }
 
