@@ -7,7 +7,6 @@
 #include "testing/RandomFormat.h"
 #include "voxc/Construct/EditableVolume.h"
 #include "voxc/Layout/Edits.h"
-#include "voxc/Passes/Pass.h"
 #include "voxc/Source/Sources.h"
 
 #include <gtest/gtest.h>
@@ -20,8 +19,6 @@ namespace voxc {
 namespace {
 
 using Words = std::vector<std::uint32_t>;
-
-Words wordsOf(const Volume &volume) { return {volume.words().begin(), volume.words().end()}; }
 
 /// All voxels of an extent, one by one: what an edited volume is held against.
 class EditedVoxels {
@@ -98,7 +95,7 @@ std::unique_ptr<VoxelChange> randomChange(std::mt19937 &random, Int3 extent) {
 /// Words that follow a volume by what it says has changed.
 class Follower {
 public:
-  explicit Follower(EditableVolume &volume) : words_(wordsOf(*volume.volume())) {}
+  explicit Follower(EditableVolume &volume) : words_(test::wordsOf(*volume.volume())) {}
 
   void follow(EditableVolume &volume) {
     const auto words = volume.volume()->words();
@@ -130,7 +127,7 @@ void expectCompacts(const EditableVolume &edited, const Format &format, const Ed
   ASSERT_TRUE(compacted) << what << ": " << compacted.error().message;
   const auto built = test::buildVolume(format, *voxels.source());
   ASSERT_TRUE(built) << what;
-  EXPECT_EQ(wordsOf(compacted->volume), wordsOf(*built)) << what;
+  EXPECT_EQ(test::wordsOf(compacted->volume), test::wordsOf(*built)) << what;
 }
 
 void editAtRandom(const Format &format, const test::HardScene &scene, std::mt19937 &random) {
@@ -187,12 +184,6 @@ Words gridOf(const Volume &volume) {
   return {begin, begin + std::ptrdiff_t(size)};
 }
 
-Format formatWith(const std::string &text, const std::vector<std::string> &passes) {
-  Format format = *parseFormat(text);
-  EXPECT_TRUE(runPasses(format, passes));
-  return format;
-}
-
 struct DistanceCase {
   const char *format;
   std::vector<std::string> passes;
@@ -209,7 +200,7 @@ TEST(EditableVolume, KeepsDistancesExact) {
                                  {"D(3,4,5,7)", {"octant-distances"}},
                                  {"D(4^3,6)", {"visible-voxels", "df-packing"}},
                                  {"D(4^3,6)", {"visible-voxels", "octant-distances", "df-packing"}}}) {
-    const Format format = formatWith(each.format, each.passes);
+    const Format format = test::formatWith(each.format, each.passes);
     const Int3 extent = format.extent();
     const auto source = test::hardScenes(extent)[5].source();
     const auto volume = test::buildVolume(format, *source);
@@ -225,39 +216,6 @@ TEST(EditableVolume, KeepsDistancesExact) {
       }
     }
   }
-}
-
-TEST(EditableVolume, AWordThatTheFormatCannotKeepLeavesAllAsItWas) {
-  const auto source = makeBuiltinSource("terrain", 32);
-  const auto volume = test::buildVolume(formatWith("R(5^3)", {"visible-voxels"}), **source);
-  ASSERT_TRUE(volume);
-  auto edited = EditableVolume::create(*volume);
-  ASSERT_TRUE(edited) << edited.error().message;
-  const Words before = wordsOf(*edited->volume());
-  const auto failed = edited->apply(*makeFunctionChange(
-      {0, 0, 0}, {32, 32, 32}, [](Int3 at, std::uint32_t) { return at.x < 20 ? 0xff00ff00 : 0x00123456u; }));
-  ASSERT_FALSE(failed);
-  EXPECT_EQ(failed.error().message.substr(0, 56), "voxel (20, 0, 0) would have an alpha of 0, but the forma");
-  EXPECT_EQ(wordsOf(*edited->volume()), before);
-  EXPECT_EQ(edited->voxels(), volume->info().voxels);
-  ASSERT_TRUE(edited->apply(*makeBoxChange({0, 0, 0}, {3, 3, 3}, 0xff00ff00)));
-  EXPECT_EQ(edited->volume()->lookup({1, 2, 0}).value, 0xff00ff00);
-}
-
-TEST(EditableVolume, AColourIsNoLabel) {
-  const auto source = makeFunctionSource({32, 32, 32}, [](Int3 at) { return at.x == at.y ? 3u : 0u; });
-  const auto volume = test::buildVolume(formatWith("G(5)", {"material=3"}), *source);
-  ASSERT_TRUE(volume);
-  auto edited = EditableVolume::create(*volume);
-  ASSERT_TRUE(edited) << edited.error().message;
-  const auto failed = edited->apply(*makeBoxChange({1, 2, 3}, {1, 1, 1}, 0xff0000ff));
-  ASSERT_FALSE(failed);
-  EXPECT_EQ(
-      failed.error().message,
-      "voxel (1, 2, 3) would be of a colour, but the format states payload=material(3), labels from 1 to "
-      "7; the word of a label is its number, as label 5 is written 05000000 in digits rrggbbaa");
-  ASSERT_TRUE(edited->apply(*makeBoxChange({1, 2, 3}, {1, 1, 1}, 5)));
-  EXPECT_EQ(edited->volume()->lookup({1, 2, 3}).value, 5u);
 }
 
 TEST(EditableVolume, ASphereFarAwayChangesNothing) {
@@ -287,7 +245,7 @@ TEST(EditableVolume, ASphereOfANegativeRadiusIsNone) {
 
 TEST(EditableVolume, SaysWhichFormatsCannotBeEdited) {
   const auto source = makeBuiltinSource("terrain", 16);
-  const auto volume = test::buildVolume(formatWith("M(2^3) M(2^3)", {"values-apart"}), **source);
+  const auto volume = test::buildVolume(test::formatWith("M(2^3) M(2^3)", {"values-apart"}), **source);
   ASSERT_TRUE(volume);
   const auto edited = EditableVolume::create(*volume);
   ASSERT_FALSE(edited);
@@ -310,7 +268,7 @@ TEST(EditableVolume, KeepsNodesSharedWithTheFirst) {
   const std::uint64_t edits = edited->words();
   ASSERT_TRUE(edited->apply(*makeBoxChange({10, 3, 10}, {1, 1, 1}, old)));
   EXPECT_EQ(edited->words(), edits) << "all nodes are there already";
-  EXPECT_EQ(wordsOf(*edited->volume())[0], volume->words()[0]);
+  EXPECT_EQ(test::wordsOf(*edited->volume())[0], volume->words()[0]);
 }
 
 /// A view is of its snapshot, whatever edits follow.

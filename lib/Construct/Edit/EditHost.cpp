@@ -18,11 +18,17 @@ EditHost &hostOf(void *self) { return *static_cast<EditHost *>(self); }
 } // namespace
 
 EditHost::EditHost(EditStore &store, const Layout &layout, Int3 extent)
-    : BuildHost(store.nodes()), words_(store), old_(layout), tally_(old_), extent_(extent),
-      proof_(layout.voxelFacts(), true) {
-  if (layout.hasOneColour() && store.words()[1] != 0)
-    proof_.prove({}, store.words()[1]); // All others have this one.
+    : BuildHost(store.nodes()), words_(store), facts_(layout.voxelFacts()), old_(layout), tally_(old_),
+      extent_(extent), proof_(proofOfAll()) {
   fillTable();
+}
+
+/// That of the voxels that are there.
+VoxelProof EditHost::proofOfAll() const {
+  VoxelProof proof(facts_, true);
+  if (kindOf(facts_.payload).oneColour && words_.words()[1] != 0)
+    proof.prove({}, words_.words()[1]); // All others have this one.
+  return proof;
 }
 
 void EditHost::begin(VoxelChange &change) {

@@ -23,6 +23,8 @@ public:
 
   /// Before an edit: what it is.
   void begin(VoxelChange &change);
+  /// After an edit that failed: what its voxels proved is proven no longer.
+  void undo() { proof_ = proofOfAll(); }
   /// How many voxels more there are after it.
   std::int64_t moreVoxels() const { return more_; }
   /// The one colour of all voxels, of a payload of one; 0: there is none.
@@ -32,6 +34,7 @@ private:
   bool isEmpty(const Cube &) override { return false; }
   void readBrick(Int3, construct::Brick &) override {}
 
+  VoxelProof proofOfAll() const;
   CubeChange changeOf(const Cube &cube);
   std::uint32_t voxel(Int3 at, std::uint32_t old);
   std::uint32_t checked(Int3 at, std::uint32_t word);
@@ -40,6 +43,7 @@ private:
   void fillTable();
 
   EditStore &words_;
+  VoxelFacts facts_;
   OldNodes old_;
   VoxelTally tally_;
   Int3 extent_;

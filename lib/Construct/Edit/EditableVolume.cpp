@@ -78,6 +78,7 @@ Expected<EditReport> EditableVolume::apply(VoxelChange &change) {
   state_->volume.reset();
   if (auto failure = store.nodes().takeFailure()) {
     store.rollBack();
+    state_->host->undo();
     state_->code.begin(*state_->host); // What it has found since the failure is nothing.
     return *failure;
   }
