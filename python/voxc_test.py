@@ -216,6 +216,8 @@ class Building(unittest.TestCase):
         self.assertEqual((twice.extent, twice.read((1, 2, 3), (1, 1, 1)).item()), ((2, 3, 4), 6))
         with self.assertRaisesRegex(voxc.Error, "voxel 0 lies at -1, 0, 0, outside"):
             voxc.build("G(5)", places=[[-1, 0, 0]])
+        with self.assertRaisesRegex(voxc.Error, "a grid of 2147483647x1x1 cells is not possible: each axis takes 1 to 2097152"):
+            voxc.build("G(5)", places=[[2**31 - 1, 0, 0]])
 
     def test_files(self):
         with tempfile.TemporaryDirectory() as folder:

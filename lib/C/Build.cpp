@@ -7,6 +7,7 @@
 #include "voxc/Source/Sources.h"
 
 #include <algorithm>
+#include <limits>
 
 using namespace voxc;
 using namespace voxc::c;
@@ -33,12 +34,15 @@ Expected<void> build(const voxc_format *format, VoxelSource &source, const voxc_
   return build(format, source, given, memoryOf(given), progress.get(), "", volume);
 }
 
-/// As far as a list of places reaches.
+/// As far as a list of places reaches; of the last place that there is, one cell less, too far in any case.
 Int3 extentOf(const std::int32_t *places, std::uint64_t count) {
+  const auto behind = [](std::int32_t place) {
+    return std::min(place, std::numeric_limits<std::int32_t>::max() - 1) + 1;
+  };
   Int3 extent{1, 1, 1};
   for (const std::int32_t *place = places; place != places + 3 * count; place += 3)
-    extent = {std::max(extent.x, place[0] + 1), std::max(extent.y, place[1] + 1),
-              std::max(extent.z, place[2] + 1)};
+    extent = {std::max(extent.x, behind(place[0])), std::max(extent.y, behind(place[1])),
+              std::max(extent.z, behind(place[2]))};
   return extent;
 }
 
