@@ -290,6 +290,10 @@ class Notebooks(unittest.TestCase):
         self.assertEqual(format.header("scene"), format.header("scene", "shared"))
         self.assertRegex(format.header("scene", "cuda"), r"__device__")
         self.assertRegex(format.header("scene", "wgsl"), r"fn voxc_scene_closest")
+        cones = voxc.Format("format detail=cone { level 1: svdag(3) }")
+        for function in (cones.header, lambda: cones._emit(voxc._library.lib.voxc_emit_header, None)):
+            with self.assertRaisesRegex(voxc.InputError, "^the functions of a header stop at voxels alone: leave out detail=cone$"):
+                function()
 
     def test_suggestions_are_rows(self):
         rows = voxc.suggest("builtin:terrain", resolution=32)

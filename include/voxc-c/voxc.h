@@ -28,10 +28,11 @@ VOXC_API const char *voxc_format_ir(const voxc_format *format);
 VOXC_API void voxc_format_extent(const voxc_format *format, int32_t extent[3]);
 
 /* The traversal as functions, in one text of GLSL and C++ (docs/library.md). `name` is put into their names;
- * null: one that is made of the format. The text is the caller's, who frees it by voxc_free. */
+ * null: one that is made of the format. The text is the caller's, who frees it by voxc_free. Errors: no
+ * possible name; a format of which functions cannot be, as one that stops above voxels. */
 VOXC_API voxc_error *voxc_emit_header(const voxc_format *format, const char *name, char **text);
 /* The same in one language: "shared" is that of voxc_emit_header, and there are "glsl", "essl", "cpp",
- * "cuda", "hlsl" and "wgsl". Errors: no such language; a format of which functions cannot be. */
+ * "cuda", "hlsl" and "wgsl"; null: "shared". Errors also: no such language. */
 VOXC_API voxc_error *voxc_emit_header_in(const voxc_format *format, const char *language, const char *name,
                                          char **text);
 /* The intersection kernel in GLSL. The text is the caller's, who frees it by voxc_free. */

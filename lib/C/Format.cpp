@@ -51,18 +51,6 @@ void voxc_format_extent(const voxc_format *format, int32_t extent[3]) {
   extent[0] = size.x, extent[1] = size.y, extent[2] = size.z;
 }
 
-voxc_error *voxc_emit_header(const voxc_format *format, const char *name, char **text) {
-  return guarded([&]() -> Expected<void> {
-    const auto plan = VOXC_TRY(makePlan(format->format, kHeaderPlan));
-    const std::string chosen = name ? name : headerName(plan.layout);
-    if (!isHeaderName(chosen))
-      return Error::usage("a name has letters, digits and single underscores between them, unlike '" +
-                          chosen + "'");
-    *text = copyOf(emitHeader(plan, chosen));
-    return {};
-  });
-}
-
 voxc_error *voxc_emit_glsl(const voxc_format *format, char **text) {
   return guarded([&]() -> Expected<void> {
     const auto plan = VOXC_TRY(makePlan(format->format, {}));

@@ -20,6 +20,8 @@ std::string allLanguages() {
 
 /// The functions of a format. Errors: no possible name; a format that they cannot be of.
 Expected<std::string> functionsOf(const Format &format, const char *name, HeaderLanguage language) {
+  if (format.attributes.get(kDetailAttribute) != Detail::Full)
+    return Error::input("the functions of a header stop at voxels alone: leave out detail=cone");
   const auto plan = VOXC_TRY(makePlan(format, kHeaderPlan));
   if (const std::string problem = problemOf(plan, EmitTarget::Functions); !problem.empty())
     return Error::input(problem);
@@ -31,6 +33,10 @@ Expected<std::string> functionsOf(const Format &format, const char *name, Header
 }
 
 } // namespace
+
+voxc_error *voxc_emit_header(const voxc_format *format, const char *name, char **text) {
+  return voxc_emit_header_in(format, nullptr, name, text);
+}
 
 voxc_error *voxc_emit_header_in(const voxc_format *format, const char *language, const char *name,
                                 char **text) {
