@@ -295,8 +295,9 @@ typedef struct voxc_picture_options {
 #define VOXC_PICTURE_OPTIONS {.struct_size = sizeof(voxc_picture_options)}
 
 /* A picture by a tracer of the closest hits with voxel, t and colour: rows from the top, RGBA8 with R in the
- * low byte, as many as width times height. Errors: a style or view that there is not; an eye without a point;
- * a box that holds nothing; cuts for a tracer without bounds; those of tracing. */
+ * low byte, as many as width times height. Errors: a tracer of another query or without colours; a style or
+ * view that there is not; an eye without a point; a box that holds nothing; cuts for a tracer without bounds;
+ * those of tracing. */
 VOXC_API voxc_error *voxc_render(voxc_tracer *tracer, const voxc_picture_options *options, uint32_t *pixels);
 
 #ifdef __cplusplus

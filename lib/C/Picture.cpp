@@ -53,6 +53,12 @@ Expected<Clip> clipOf(const voxc_picture_options &options) {
   return clip;
 }
 
+Error notOfPictures() {
+  return Error::usage(
+      "a picture is made of the voxel, t and colour of the closest hits: of a tracer with the "
+      "default query and outputs");
+}
+
 /// Whether the size, the place and the lens of a picture can be. Error: `Usage`.
 Expected<void> checkCamera(const voxc_picture_options &options, int width, int height) {
   if (width < 1 || height < 1 || width > kMostPixels || height > kMostPixels)
@@ -110,8 +116,7 @@ voxc_error *voxc_render(voxc_tracer *tracer, const voxc_picture_options *options
     const Question question = questionOf(tracer->format);
     if (!isOfHits(question.query) || !question.outputs.voxel || !question.outputs.t ||
         !question.outputs.colour)
-      return Error::usage("a picture is made of the voxel, t and colour of the closest hits: of a tracer "
-                          "with the default query and outputs");
+      return notOfPictures();
     const auto clip = VOXC_TRY(clipOf(given));
     // What the kernel of a file takes, its tracer knows.
     if (!clip.cutsNothing() && !tracer->format.levels.empty() && !question.bounds)
@@ -122,7 +127,12 @@ voxc_error *voxc_render(voxc_tracer *tracer, const voxc_picture_options *options
           clip.cutsNothing() ? std::vector<BoundedRay>() : clip.bounded(rays, tracer->threads);
       const Expected<TraceReport> report =
           tracer->tracer->trace(clip.cutsNothing() ? RaySpan(rays) : RaySpan(kept), hits, how);
-      return report ? Expected<void>() : report.error();
+      if (!report)
+        return report.error();
+      // A kernel of a file does not say what it answers, but a voxel's word is never 0.
+      const bool hasColours =
+          std::ranges::none_of(hits, [](const Hit &hit) { return hit.isHit() && hit.rgba == 0; });
+      return hasColours ? Expected<void>() : notOfPictures();
     };
     const auto camera = VOXC_TRY(cameraOf(given, *tracer->volume, trace));
     const auto style = VOXC_TRY(valueOf(given.style, Style::Lit, "style"));
