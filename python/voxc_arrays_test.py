@@ -187,25 +187,6 @@ class Arrays(unittest.TestCase):
         self.assertEqual(4 * len(words), len(again))
         self.assertEqual(again.tobytes(), words.tobytes())
 
-    def test_a_function_of_an_edit_edits_nothing_itself(self):
-        editable = voxc.Editable(voxc.build("G(3)", voxels=np.ones((8, 8, 8), bool)))
-        state = editable.snapshot()
-        for inner in (lambda: editable.set_box((0, 0, 0), (1, 1, 1), 0), lambda: editable.restore(state),
-                      lambda: editable.apply((0, 0, 0), (1, 1, 1), lambda *_: 0)):
-            with self.assertRaisesRegex(RuntimeError, "an edit of this volume is running"):
-                editable.apply((0, 0, 0), (2, 2, 2), lambda *_: inner() or 0)
-        self.assertEqual(editable.voxels, 512)
-        editable.apply((0, 0, 0), (2, 2, 2), lambda *_: editable.view().voxels and 0)
-        self.assertEqual(editable.voxels, 504)
-
-    def test_rays_with_bounds_see_the_state_that_is_followed(self):
-        editable = voxc.Editable(voxc.build("G(3)", voxels=np.ones((8, 8, 8), bool)))
-        tracer = editable.view().tracer("cpu")
-        tracer.follow(editable)
-        editable.clear((0, 0, 0), (8, 8, 8))
-        hit = tracer.trace([[-1, 4.5, 4.5]], [[1, 0, 0]], tmin=0)
-        self.assertEqual(hit["voxel"].tolist(), [[0, 4, 4]])
-
     def test_options_without_a_size_are_told(self):
         library, volume = voxc._library, voxc.build("G(3)", "builtin:full:8")
         options, tracer = library.TracerOptions(device=b"no such device"), ctypes.c_void_p()

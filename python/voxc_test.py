@@ -1,4 +1,4 @@
-"""Tests of building: python3 -m unittest voxc_test voxc_trace_test voxc_arrays_test runs all of the module"""
+"""Tests of building: python3 -m unittest voxc_test voxc_trace_test voxc_edits_test voxc_arrays_test runs all of the module"""
 import os
 import pathlib
 import re

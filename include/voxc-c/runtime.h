@@ -197,7 +197,8 @@ VOXC_API void voxc_face_normal(uint32_t face, float normal[3]);
 
 /* Takes another volume of the same format, as an edited one is, in place of its own: from then on hits are
  * those of a tracer that was made with it. Only what differs is brought to the device, and its memory grows
- * where there is more; `copied_bytes` says how much, unless it is null. Errors: a volume of another format,
+ * where there is more; of a tracer that follows an editable volume (voxc_tracer_follow) all is brought, and
+ * it follows no longer. `copied_bytes` says how much, unless it is null. Errors: a volume of another format,
  * which changes nothing; the device has no room or fails, after which the tracer can only be freed. */
 VOXC_API voxc_error *voxc_tracer_update(voxc_tracer *tracer, const voxc_volume *volume,
                                         uint64_t *copied_bytes);

@@ -265,7 +265,10 @@ VOXC_API voxc_error *voxc_tracer_create(const voxc_volume *volume, const voxc_tr
 
 /* Makes a tracer go on with an editable volume as it is now: one of the volume that the editable was made of,
  * or that followed it before. Only words that are others since then are copied to a device; `copied_bytes`
- * may be null. No other tracer may follow the same editable. */
+ * may be null. No other tracer may follow the same editable. A tracer of "cpu" reads the words that edits
+ * change: it must not trace while an edit runs; one of a voxc_editable_view may. Errors: an editable of
+ * another format, which changes nothing; the device has no room or fails, after which the tracer can only be
+ * freed. */
 VOXC_API voxc_error *voxc_tracer_follow(voxc_tracer *tracer, voxc_editable *editable, uint64_t *copied_bytes);
 
 typedef struct voxc_picture_options {

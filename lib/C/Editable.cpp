@@ -138,10 +138,17 @@ voxc_error *voxc_editable_compact(const voxc_editable *editable, const voxc_buil
 voxc_error *voxc_tracer_follow(voxc_tracer *tracer, voxc_editable *editable, uint64_t *copied_bytes) {
   return guarded([&]() -> Expected<void> {
     const auto volume = editable->volume.volume();
-    const auto followed = VOXC_TRY(tracer->tracer->follow(*volume, editable->volume.takeChanges()));
+    VOXC_TRY(checkTakes(*tracer, *volume));
+    const std::vector<WordRange> changes = editable->volume.takeChanges();
+    const auto followed = tracer->tracer->follow(*volume, changes);
+    if (!followed) {
+      editable->volume.putBackChanges(changes); // A tracer in place of this one lacks them.
+      return followed.error();
+    }
     tracer->volume = volume;
+    tracer->follows = true;
     if (copied_bytes)
-      *copied_bytes = followed.copiedBytes;
+      *copied_bytes = followed->copiedBytes;
     return {};
   });
 }

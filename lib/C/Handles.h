@@ -40,6 +40,7 @@ struct voxc_tracer {
   voxc::Format format; ///< Of the kernel; without levels where it came from a file.
   std::string deviceName;
   unsigned threads = 0;
+  bool follows = false; ///< The volume is an editable one, whose words change where they lie.
 };
 
 namespace voxc::c {
@@ -87,6 +88,9 @@ template <typename Options> Expected<Options> optionsOf(const Options *given) {
 }
 
 inline std::string textOr(const char *text, const char *fallback) { return text ? text : fallback; }
+
+/// Error (`Usage`): the tracer is of another format than a volume that it shall take.
+Expected<void> checkTakes(const voxc_tracer &tracer, const Volume &volume);
 
 /// A caller's progress as ours. It must outlive what reports to it.
 class CallersProgress {

@@ -30,6 +30,14 @@ std::string shown(const Volume &volume) {
   return toString(volume.format()) + " (digest " + digest + ")";
 }
 
+/// Words that edits change, compared with themselves, would seem to be as they were: all are copied then.
+Expected<UpdateReport> updateTo(const voxc_tracer &tracer, const Volume &after) {
+  if (!tracer.follows)
+    return tracer.tracer->update(*tracer.volume, after);
+  const WordRange all{0, after.words().size()};
+  return tracer.tracer->follow(after, {&all, 1});
+}
+
 voxc_device_info infoOf(const DeviceInfo &device) {
   voxc_device_info info{};
   copyText(info.name, device.name);
@@ -41,6 +49,14 @@ voxc_device_info infoOf(const DeviceInfo &device) {
 }
 
 } // namespace
+
+Expected<void> voxc::c::checkTakes(const voxc_tracer &tracer, const Volume &volume) {
+  const Volume &own = *tracer.volume;
+  if (own.storageDigest() == volume.storageDigest())
+    return {};
+  return Error::usage("the volume is of another format, " + shown(volume) + ", than that of the tracer, " +
+                      shown(own) + "; it takes a tracer of its own");
+}
 
 size_t voxc_devices(voxc_device_info *devices, size_t capacity) {
   std::size_t count = 0;
@@ -102,12 +118,10 @@ void voxc_face_normal(uint32_t face, float normal[3]) {
 
 voxc_error *voxc_tracer_update(voxc_tracer *tracer, const voxc_volume *volume, uint64_t *copied_bytes) {
   return guarded([&]() -> Expected<void> {
-    const Volume &own = *tracer->volume;
-    if (own.storageDigest() != volume->volume->storageDigest())
-      return Error::usage("the volume is of another format, " + shown(*volume->volume) +
-                          ", than that of the tracer, " + shown(own) + "; it takes a tracer of its own");
-    const auto updated = VOXC_TRY(tracer->tracer->update(*tracer->volume, *volume->volume));
+    VOXC_TRY(checkTakes(*tracer, *volume->volume));
+    const auto updated = VOXC_TRY(updateTo(*tracer, *volume->volume));
     tracer->volume = volume->volume;
+    tracer->follows = false;
     if (copied_bytes)
       *copied_bytes = updated.copiedBytes;
     return {};

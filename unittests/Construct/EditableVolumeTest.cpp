@@ -147,6 +147,8 @@ void editAtRandom(const Format &format, const test::HardScene &scene, std::mt199
     if (report)
       voxels.apply(*change, kindOf(volume->layout().payload).varies);
     expectHolds(*edited, voxels, what);
+    if (i % 3 == 0) // A device that could not copy them.
+      edited->putBackChanges(edited->takeChanges());
     follower.follow(*edited);
     if (test::pick(random, 0, 3) == 0) {
       const auto after = edited->snapshot();

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace voxc {
@@ -76,6 +77,8 @@ public:
   std::uint64_t words() const;
   /// The words that are others than at the last call, in rising order: what a copy of `volume()` lacks.
   std::vector<WordRange> takeChanges();
+  /// Changes that were taken and not copied, as where `Tracer::follow` failed: the next call has them again.
+  void putBackChanges(std::span<const WordRange> changes);
 
   /// True if the words are more than half as many again as those of the first volume: much of them is of no
   /// state.

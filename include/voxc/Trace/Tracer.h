@@ -130,17 +130,20 @@ public:
 
   /// Takes `after` in place of `before`, the volume that it traces now: from then on hits are those of a
   /// tracer that was made with it. Of the words, which are compared, only the blocks that differ are copied
-  /// to a device, and its memory grows where there are more than before. `after` must live as the tracer's
-  /// first volume had to; `before` is not needed any more. Errors: a volume of other storage (`Input`);
-  /// `before` is not the volume that it traces, or the tracer is of a kind that cannot do this (`Usage`),
-  /// which leave it unchanged; the device has no room or fails (`Environment`), after which it must not be
-  /// used.
+  /// to a device, and its memory grows where there are more than before. So those of `before` must be as they
+  /// were when it was taken: a volume that edits change (`EditableVolume::volume`) gives way to another by
+  /// `follow`, with all words of that as changed. `after` must live as the tracer's first volume had to;
+  /// `before` is not needed any more. Errors: a volume of other storage (`Input`); `before` is not the volume
+  /// that it traces, or the tracer is of a kind that cannot do this (`Usage`), which leave it unchanged; the
+  /// device has no room or fails (`Environment`), after which it must not be used.
   virtual Expected<UpdateReport> update(const Volume & /*before*/, const Volume & /*after*/) {
     return Error::usage("this tracer traces one volume and takes no other");
   }
 
   /// The same where it is known which words of `after` are others than those of the volume that it traces
-  /// now, as `EditableVolume::takeChanges` says: nothing is compared, and no other word is copied.
+  /// now, as `EditableVolume::takeChanges` says: nothing is compared, and no other word is copied. A tracer
+  /// of this processor reads the words where they lie, so it must not trace while an edit changes them;
+  /// meanwhile others may trace an `EditableVolume::view`.
   virtual Expected<UpdateReport> follow(const Volume & /*after*/, std::span<const WordRange> /*changed*/) {
     return Error::usage("this tracer traces one volume and takes no other");
   }

@@ -123,4 +123,15 @@ std::vector<WordRange> EditStore::takeChanges() {
   return joined;
 }
 
+/// A run may begin in the head and end behind it, which a volume without voxels lacks.
+void EditStore::putBackChanges(std::span<const WordRange> changes) {
+  const std::uint64_t head = layout_.headWords();
+  for (const WordRange &range : changes) {
+    if (range.first < head)
+      changed_.push_back({range.first, std::min(range.end, head)});
+    if (range.end > head)
+      changed_.push_back({std::max(range.first, head), range.end});
+  }
+}
+
 } // namespace voxc

@@ -45,6 +45,8 @@ public:
 
   /// The words that are others since the last call, in rising order, none of them twice.
   std::vector<WordRange> takeChanges();
+  /// Makes them those of the next call again.
+  void putBackChanges(std::span<const WordRange> changes);
 
 private:
   struct OpenGrid {

@@ -138,6 +138,9 @@ Expected<Volume> EditableVolume::framed(const std::vector<Snapshot> &states) {
 std::uint64_t EditableVolume::voxels() const { return state_->info.voxels; }
 std::uint64_t EditableVolume::words() const { return state_->store->words().size(); }
 std::vector<WordRange> EditableVolume::takeChanges() { return state_->store->takeChanges(); }
+void EditableVolume::putBackChanges(std::span<const WordRange> changes) {
+  state_->store->putBackChanges(changes);
+}
 double EditableVolume::compileSeconds() const { return state_->compileSeconds; }
 
 bool EditableVolume::wantsCompaction() const { return words() > state_->firstWords + state_->firstWords / 2; }

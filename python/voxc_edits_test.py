@@ -1,0 +1,69 @@
+"""Tests of volumes that change, and of what follows them: python3 -m unittest voxc_edits_test"""
+import unittest
+
+import numpy as np
+
+import voxc
+
+
+def full(text="G(3)", side=8):
+    return voxc.build(text, voxels=np.ones((side, side, side), bool))
+
+
+class Editing(unittest.TestCase):
+    def test_a_function_of_an_edit_edits_nothing_itself(self):
+        editable = voxc.Editable(full())
+        state = editable.snapshot()
+        for inner in (lambda: editable.set_box((0, 0, 0), (1, 1, 1), 0), lambda: editable.restore(state),
+                      lambda: editable.apply((0, 0, 0), (1, 1, 1), lambda *_: 0)):
+            with self.assertRaisesRegex(RuntimeError, "an edit of this volume is running"):
+                editable.apply((0, 0, 0), (2, 2, 2), lambda *_: inner() or 0)
+        self.assertEqual(editable.voxels, 512)
+        editable.apply((0, 0, 0), (2, 2, 2), lambda *_: editable.view().voxels and 0)
+        self.assertEqual(editable.voxels, 504)
+
+
+class Following(unittest.TestCase):
+    RAY = (-1, 16.5, 16.5), (1, 0, 0)
+
+    def setUp(self):
+        # A grid of several blocks, which an edit changes without a word more in the first of them.
+        volume = full("R(5, 5, 5)", 32)
+        self.editable, self.tracer = voxc.Editable(volume), volume.tracer()
+
+    def needs_a_device(self):
+        if self.tracer.device == "cpu":
+            self.skipTest("no device has a memory of its own")
+
+    def test_rays_with_bounds_see_the_state_that_is_followed(self):
+        editable = voxc.Editable(full())
+        tracer = editable.view().tracer("cpu")
+        tracer.follow(editable)
+        editable.clear((0, 0, 0), (8, 8, 8))
+        hit = tracer.trace([[-1, 4.5, 4.5]], [[1, 0, 0]], tmin=0)
+        self.assertEqual(hit["voxel"].tolist(), [[0, 4, 4]])
+
+    def test_another_volume_takes_the_place_of_one_that_is_followed(self):
+        self.needs_a_device()
+        self.tracer.follow(self.editable)
+        self.editable.clear((0, 0, 0), (12, 32, 32))
+        self.tracer.update(self.editable.view())
+        self.assertEqual(self.tracer.trace(*self.RAY)["voxel"].tolist(), [12, 16, 16])
+        self.editable.clear((0, 0, 0), (20, 32, 32))
+        copied = self.tracer.update(self.editable.view())
+        self.assertEqual(self.tracer.trace(*self.RAY)["voxel"].tolist(), [20, 16, 16])
+        self.assertEqual(self.tracer.update(self.editable.view()), 0)
+        self.assertGreater(copied, 0)
+
+    def test_changes_stay_where_following_fails(self):
+        self.needs_a_device()
+        other = full("G(5)", 32).tracer("cpu")
+        self.editable.clear((0, 0, 0), (12, 32, 32))
+        with self.assertRaisesRegex(voxc.UsageError, r"another format, R\(5, 5, 5\) \(digest 0x\w+\), than that of the tracer, G\(5\)"):
+            other.follow(self.editable)
+        self.assertGreater(self.tracer.follow(self.editable), 0)
+        self.assertEqual(self.tracer.trace(*self.RAY)["voxel"].tolist(), [12, 16, 16])
+
+
+if __name__ == "__main__":
+    unittest.main()
