@@ -1,9 +1,12 @@
 """Tests of volumes that change, and of what follows them: python3 -m unittest voxc_edits_test"""
+import ctypes
 import unittest
 
 import numpy as np
 
 import voxc
+
+library = voxc._library
 
 
 def full(text="G(3)", side=8):
@@ -21,6 +24,40 @@ class Editing(unittest.TestCase):
         self.assertEqual(editable.voxels, 512)
         editable.apply((0, 0, 0), (2, 2, 2), lambda *_: editable.view().voxels and 0)
         self.assertEqual(editable.voxels, 504)
+
+    def test_a_function_in_c_edits_nothing_either(self):
+        editable = voxc.Editable(full())
+        tracer, first = editable.view().tracer("cpu"), editable.snapshot()
+        editable.clear((0, 0, 0), (1, 1, 1))
+        handle, low, size, made = editable._handle, library.int3((1, 1, 1), "low"), library.int3((1, 1, 1), "size"), ctypes.c_void_p()
+        empty = library.EDITED_VOXEL(lambda *_: 0)
+        calls = ((library.lib.voxc_editable_set_box, handle, low, size, 0), (library.lib.voxc_editable_apply, handle, low, size, empty, None),
+                 (library.lib.voxc_editable_compact, handle, None, ctypes.byref(made)),
+                 (library.lib.voxc_tracer_follow, tracer._handle, handle, None))
+        told = set()
+
+        def inner(*_):
+            for function, *arguments in calls:
+                try:
+                    told.add(library.check(function(*arguments)))
+                except voxc.UsageError as error:
+                    told.add(str(error))
+            library.lib.voxc_editable_restore(handle, first._state)
+            return 0
+
+        library.check(library.lib.voxc_editable_apply(handle, low, size, library.EDITED_VOXEL(inner), None))
+        self.assertEqual(told, {"an edit of this volume is running, whose function must not edit, compact or follow it"})
+        self.assertEqual(editable.voxels, 510)
+        editable.restore(first)
+        self.assertEqual(editable.voxels, 512)
+
+    def test_the_progress_of_a_compaction_edits_nothing(self):
+        editable, made = voxc.Editable(full()), ctypes.c_void_p()
+        reporter = library.Reporter(lambda *_: editable.clear((0, 0, 0), (4, 4, 4)))
+        options = library.options(library.BuildOptions, progress=reporter.pointer)
+        with self.assertRaisesRegex(voxc.UsageError, "a compaction of this volume is running, whose function must not edit"):
+            reporter.call(library.lib.voxc_editable_compact, editable._handle, ctypes.byref(options), ctypes.byref(made))
+        self.assertEqual(editable.compact().voxels, 512)
 
 
 class Following(unittest.TestCase):

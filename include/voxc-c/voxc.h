@@ -222,7 +222,9 @@ VOXC_API voxc_error *voxc_editable_set_voxels(voxc_editable *editable, const int
 /* Another volume, whose voxels are put from `low` on; where it is empty nothing changes. */
 VOXC_API voxc_error *voxc_editable_paste(voxc_editable *editable, const voxc_volume *volume,
                                          const int32_t low[3]);
-/* Each voxel of a box becomes what `function` says of it. */
+/* Each voxel of a box becomes what `function` says of it. Within `function`, and within that of a progress,
+ * editing, compacting or following this volume is an error, and a restore does nothing; it must not be freed
+ * there, and states from before may be viewed. */
 VOXC_API voxc_error *voxc_editable_apply(voxc_editable *editable, const int32_t low[3], const int32_t size[3],
                                          uint32_t (*function)(void *user, int32_t x, int32_t y, int32_t z,
                                                               uint32_t word),

@@ -14,6 +14,7 @@ using namespace voxc::c;
 
 struct voxc_editable {
   EditableVolume volume;
+  mutable const char *running = nullptr; ///< What calls functions of the caller, as "an edit"; null: nothing.
 };
 
 namespace {
@@ -24,7 +25,28 @@ EditableVolume::Snapshot snapshotOf(voxc_snapshot snapshot) {
   return {static_cast<Ref>(snapshot.root), snapshot.voxels};
 }
 
+/// Marks what is running, for functions of the caller that would begin another within it.
+class Running {
+public:
+  Running(const voxc_editable *editable, const char *what) : editable_(editable) { editable->running = what; }
+  ~Running() { editable_->running = nullptr; }
+  Running(const Running &) = delete;
+  Running &operator=(const Running &) = delete;
+
+private:
+  const voxc_editable *editable_;
+};
+
+Expected<void> checkIdle(const voxc_editable *editable) {
+  if (!editable->running)
+    return {};
+  return Error::usage(std::string(editable->running) +
+                      " of this volume is running, whose function must not edit, compact or follow it");
+}
+
 Expected<void> edit(voxc_editable *editable, const std::unique_ptr<VoxelChange> &change) {
+  VOXC_TRY(checkIdle(editable));
+  const Running running(editable, "an edit");
   VOXC_TRY(editable->volume.apply(*change));
   return {};
 }
@@ -91,7 +113,8 @@ voxc_snapshot voxc_editable_snapshot(voxc_editable *editable) {
 }
 
 void voxc_editable_restore(voxc_editable *editable, voxc_snapshot snapshot) {
-  editable->volume.restore(snapshotOf(snapshot));
+  if (!editable->running)
+    editable->volume.restore(snapshotOf(snapshot));
 }
 
 voxc_error *voxc_editable_view(voxc_editable *editable, voxc_snapshot snapshot, voxc_volume **volume) {
@@ -127,6 +150,8 @@ voxc_error *voxc_editable_compact(const voxc_editable *editable, const voxc_buil
                                   voxc_volume **volume) {
   return guarded([&]() -> Expected<void> {
     const auto given = VOXC_TRY(optionsOf(options));
+    VOXC_TRY(checkIdle(editable));
+    const Running running(editable, "a compaction");
     const CallersProgress progress(given.progress);
     BuildOptions building = buildOptionsOf(given, progress.get());
     building.memory = memoryOf(given);
@@ -137,6 +162,7 @@ voxc_error *voxc_editable_compact(const voxc_editable *editable, const voxc_buil
 
 voxc_error *voxc_tracer_follow(voxc_tracer *tracer, voxc_editable *editable, uint64_t *copied_bytes) {
   return guarded([&]() -> Expected<void> {
+    VOXC_TRY(checkIdle(editable));
     const auto volume = editable->volume.volume();
     VOXC_TRY(checkTakes(*tracer, *volume));
     const std::vector<WordRange> changes = editable->volume.takeChanges();
