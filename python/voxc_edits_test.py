@@ -1,5 +1,6 @@
 """Tests of volumes that change, and of what follows them: python3 -m unittest voxc_edits_test"""
 import ctypes
+import threading
 import unittest
 
 import numpy as np
@@ -11,6 +12,14 @@ library = voxc._library
 
 def full(text="G(3)", side=8):
     return voxc.build(text, voxels=np.ones((side, side, side), bool))
+
+
+def is_waiting(function):
+    """Starts a function in a thread, and tells the thread and whether it is still at it after a while."""
+    thread = threading.Thread(target=function)
+    thread.start()
+    thread.join(0.2)
+    return thread, thread.is_alive()
 
 
 class Editing(unittest.TestCase):
@@ -59,6 +68,21 @@ class Editing(unittest.TestCase):
             reporter.call(library.lib.voxc_editable_compact, editable._handle, ctypes.byref(options), ctypes.byref(made))
         self.assertEqual(editable.compact().voxels, 512)
 
+    def test_threads_wait_for_each_other(self):
+        editable, threads = voxc.Editable(full()), []
+        others = (lambda: editable.set_box((4, 0, 0), (1, 8, 8), 0), editable.view)
+
+        def voxel(x, y, z, word):
+            while len(threads) < len(others):
+                threads.append(is_waiting(others[len(threads)]))
+            return 0
+
+        editable.apply((0, 0, 0), (1, 8, 8), voxel)
+        for thread, was_waiting in threads:
+            thread.join()
+            self.assertTrue(was_waiting)
+        self.assertEqual(editable.voxels, 512 - 2 * 64)
+
 
 class Following(unittest.TestCase):
     RAY = (-1, 16.5, 16.5), (1, 0, 0)
@@ -100,6 +124,18 @@ class Following(unittest.TestCase):
             other.follow(self.editable)
         self.assertGreater(self.tracer.follow(self.editable), 0)
         self.assertEqual(self.tracer.trace(*self.RAY)["voxel"].tolist(), [12, 16, 16])
+
+    def test_threads_wait_for_each_other(self):
+        tracer, threads = full("G(5)", 32).tracer("cpu"), []
+
+        def report(*_):
+            if not threads:
+                threads.append(is_waiting(lambda: tracer.trace(*self.RAY)))
+
+        tracer.render(64, 64, eye=(60, 50, 70), look=(16, 16, 16), progress=report)
+        [(thread, was_waiting)] = threads
+        thread.join()
+        self.assertTrue(was_waiting)
 
 
 if __name__ == "__main__":

@@ -2,11 +2,13 @@
 from __future__ import annotations
 
 import ctypes
+import threading
 from typing import TYPE_CHECKING, Any, Iterable, List, Optional, Tuple, Union
 
 import numpy as np
 
 from . import _library as c
+from ._turns import in_turn
 from .arrays import bounds_of, rays_of
 from .format import list_of
 from .picture import Picture
@@ -133,12 +135,13 @@ class Tracer:
     """Traces rays through a volume by a kernel that is compiled for it. `device` is a part of a device's name, or "cpu"; by
     default the best of Vulkan, or the cpu where there is none. `query` is "closest", "any", "occupancy" or "distance";
     `outputs` names what is stored of the closest hit, of voxel, t, face and colour; `precision` is "exact" or "fast".
-    With `bounds` its one kernel is for rays with bounds; without, that is a second one, made when such rays come."""
+    With `bounds` its one kernel is for rays with bounds; without, that is a second one, made when such rays come. Of
+    several threads that use one, each waits for the others."""
 
     def __init__(self, volume: Volume, device: Optional[str] = None, *, threads: Optional[int] = None, query: Optional[str] = None,
                  outputs: Names = None, precision: Optional[str] = None, passes: Names = None, bounds: bool = False) -> None:
+        self._lock = threading.RLock()  # Whoever takes that of an Editable too takes it first.
         self._volume = volume
-        self._followed: Optional[Tuple[Editable, Any]] = None
         self._options = dict(device=c.text(device), threads=threads, query=c.text(query), outputs=list_of(outputs),
                              precision=c.text(precision), passes=list_of(passes))
         self._handle = self._create(bounds=int(bounds))
@@ -151,9 +154,7 @@ class Tracer:
 
     def _create(self, bounds: int) -> Any:
         options = c.options(c.TracerOptions, bounds=bounds, **self._options)
-        editable, state = self._followed or (None, None)
-        volume = editable.view(state) if editable else self._volume
-        return c.make(c.lib.voxc_tracer_create, _handle_of(volume, "Volume"), ctypes.byref(options))
+        return c.make(c.lib.voxc_tracer_create, _handle_of(self._volume, "Volume"), ctypes.byref(options))
 
     def __del__(self) -> None:
         handles = [getattr(self, name, None) for name in ("_handle", "_bounded_handle")]
@@ -165,6 +166,7 @@ class Tracer:
         """The name of the device that it traces on."""
         return c.lib.voxc_tracer_device(self._handle).decode()
 
+    @in_turn
     def trace(self, origins: Any, directions: Any = None, tmin: Any = None, tmax: Any = None) -> np.ndarray:
         """The hits of rays: an array of HIT, of as many and in the shape of the rays. These are (..., 3) origins and
         directions, of which one may be a single one for all, or an array of RAY or BOUNDED_RAY alone. `tmin` and `tmax`,
@@ -179,10 +181,11 @@ class Tracer:
         c.check(function(handle, rays.ctypes.data, rays.size, hits.ctypes.data))
         return hits
 
+    @in_turn
     def update(self, volume: Volume) -> int:
         """Takes another volume of the same format, such as an edited one, in place of its own. Only what differs is brought
-        to the device; returns how many bytes that was. A volume of another format takes a tracer of its own:
-        `volume.tracer()`."""
+        to the device, or all in place of an `Editable` that was followed; returns how many bytes that was. A volume of
+        another format takes a tracer of its own: `volume.tracer()`."""
         given = _handle_of(volume, "Volume")
         copied = ctypes.c_uint64()
         total = 0
@@ -191,21 +194,24 @@ class Tracer:
             c.check(c.lib.voxc_tracer_update(handle, given, ctypes.byref(copied)))
             total += copied.value
         self._volume = volume
-        self._followed = None
         return total
 
     def follow(self, editable: Editable) -> int:
         """Goes on with an `Editable` as it is now, which was made of the volume of this tracer, or followed by it before. Only
         what changed since then is brought to the device; returns how many bytes that was. No other tracer may follow the
-        same one."""
-        copied = ctypes.c_uint64()
-        c.check(c.lib.voxc_tracer_follow(self._handle, _handle_of(editable, "Editable"), ctypes.byref(copied)))
-        self._followed = editable, editable.snapshot()
-        if self._bounded_handle and self._bounded_handle.value != self._handle.value:
-            c.lib.voxc_tracer_free(self._bounded_handle)
-            self._bounded_handle = None
+        same one. On the cpu it reads the words that edits change: no other thread may edit while it traces, unless what it
+        traces is a `view`."""
+        given, copied = _handle_of(editable, "Editable"), ctypes.c_uint64()
+        with editable._lock, self._lock:
+            state = editable.view()
+            c.check(c.lib.voxc_tracer_follow(self._handle, given, ctypes.byref(copied)))
+            self._volume = state
+            if self._bounded_handle and self._bounded_handle.value != self._handle.value:
+                c.lib.voxc_tracer_free(self._bounded_handle)
+                self._bounded_handle = None
         return copied.value
 
+    @in_turn
     def render(self, width: int = 1280, height: int = 720, *, style: Optional[str] = None, view: Optional[str] = None, eye: Any = None,
                look: Any = None, fov: Optional[float] = None, samples: Optional[int] = None, progress: Any = None, clip_box: Any = None,
                clip_planes: Any = None, orthographic: bool = False, view_height: Optional[float] = None) -> Picture:
