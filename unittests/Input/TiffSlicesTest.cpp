@@ -142,6 +142,12 @@ TEST_F(TiffSlices, Colours) {
   Layout deep = rgb;
   deep.bits = 16;
   EXPECT_EQ(page(1, 1, deep, raw<std::uint16_t>({257, 514, 65535})), (Words{rgba(1, 2, 255)}));
+  EXPECT_THAT(warnings_, ::testing::IsEmpty());
+  // Numbers of 12 bits in 16 are not made brighter than they are, but told.
+  EXPECT_EQ(page(1, 1, deep, raw<std::uint16_t>({4095, 1028, 0})), (Words{rgba(16, 4, 0)}));
+  EXPECT_THAT(warnings_,
+              ElementsAre(HasSubstr("are at most 4095, and dark, as 65535 is the brightest; if they "
+                                    "are of 12 bits")));
   EXPECT_EQ(page(2, 1, {.samples = 4, .photometric = PHOTOMETRIC_RGB, .hasAlpha = true},
                  std::string("\1\2\3\4\0\0\0\0", 8)),
             (Words{rgba(1, 2, 3, 4), 0}));

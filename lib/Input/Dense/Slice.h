@@ -60,6 +60,9 @@ public:
   /// What of the file is left out, or means something else; one sentence each. Once all pictures are read.
   std::vector<std::string> warnings;
 
+  /// The largest number of colours of 16 bits, of pictures that were decoded; 0: there are none.
+  std::uint32_t largestColour = 0;
+
   /// How far apart samples are, where the file says so. Known with the first picture.
   std::optional<StackSpacing> spacing;
 };

@@ -136,11 +136,13 @@ private:
   }
 
   /// 0 to 255 of a sample.
-  std::byte byteAt(const std::byte *sample) const {
+  std::byte byteAt(const std::byte *sample, bool isAlpha) {
     if (page_.bits == 8)
       return *sample;
     std::uint16_t value = 0;
     std::memcpy(&value, sample, sizeof value);
+    if (!isAlpha)
+      largestColour = std::max<std::uint32_t>(largestColour, value);
     return static_cast<std::byte>((value * 255u + 32767u) / 65535u);
   }
 
@@ -151,16 +153,17 @@ private:
     const bool areApart = page_.planar == PLANARCONFIG_SEPARATE;
     const std::size_t channels = colours + (page_.hasAlpha ? 1 : 0);
     for (std::size_t plane = 0; plane < (areApart ? channels : 1); ++plane) {
-      const bool isRead = readPlane(
-          tiff_, page_, static_cast<std::uint16_t>(plane),
-          [&](std::uint32_t x, std::uint32_t y, const std::byte *row, std::uint32_t n) {
-            std::byte *cell = target.data() + (std::size_t{y} * page_.width + x) * 4;
-            for (std::uint32_t i = 0; i < n; ++i, cell += 4)
-              for (std::size_t channel = areApart ? plane : 0; channel < (areApart ? plane + 1 : channels);
-                   ++channel)
-                put(cell, channel, colours,
-                    byteAt(row + (areApart ? i : i * std::size_t{page_.samples} + channel) * bytes));
-          });
+      const bool isRead =
+          readPlane(tiff_, page_, static_cast<std::uint16_t>(plane),
+                    [&](std::uint32_t x, std::uint32_t y, const std::byte *row, std::uint32_t n) {
+                      std::byte *cell = target.data() + (std::size_t{y} * page_.width + x) * 4;
+                      for (std::uint32_t i = 0; i < n; ++i, cell += 4)
+                        for (std::size_t channel = areApart ? plane : 0;
+                             channel < (areApart ? plane + 1 : channels); ++channel)
+                          put(cell, channel, colours,
+                              byteAt(row + (areApart ? i : i * std::size_t{page_.samples} + channel) * bytes,
+                                     channel >= colours));
+                    });
       if (!isRead)
         return false;
     }

@@ -40,7 +40,8 @@ struct SliceStack {
   Slice slice;
   Int3 extent;
   std::shared_ptr<const ScratchCells> cells;
-  bool areWidened = false; ///< Its samples, to 8 bits.
+  bool areWidened = false;         ///< Its samples, to 8 bits.
+  std::uint32_t largestColour = 0; ///< Of colours of 16 bits.
   std::vector<std::string> warnings;
   std::optional<StackSpacing> spacing; ///< Of the first file that says one.
 };
@@ -113,9 +114,21 @@ Expected<void> appendFile(const std::string &path, const InputOptions &options, 
   for (std::string &warning : reader->warnings)
     if (std::ranges::find(stack.warnings, warning) == stack.warnings.end())
       stack.warnings.push_back(std::move(warning));
+  stack.largestColour = std::max(stack.largestColour, reader->largestColour);
   if (!stack.spacing)
     stack.spacing = reader->spacing;
   return {};
+}
+
+/// Cameras of 10 to 14 bits write their numbers into 16 as they are, and most pictures of 16 bits use all.
+void tellDarkness(SliceStack &stack) {
+  constexpr int kLeastBits = 15;
+  const int bits = std::bit_width(stack.largestColour);
+  if (stack.largestColour == 0 || bits >= kLeastBits)
+    return;
+  stack.warnings.push_back("its colours of 16 bits are at most " + std::to_string(stack.largestColour) +
+                           ", and dark, as 65535 is the brightest; if they are of " + std::to_string(bits) +
+                           " bits, a program for pictures makes them of 16 or 8");
 }
 
 Expected<SliceStack> readStack(const std::vector<std::string> &paths, const InputOptions &options) {
@@ -127,6 +140,7 @@ Expected<SliceStack> readStack(const std::vector<std::string> &paths, const Inpu
   }
   if (stack.extent.z == 0)
     return notUsable(Error::input("it has no picture"), paths.front(), kKind);
+  tellDarkness(stack);
   stack.cells = std::make_shared<const ScratchCells>(std::move(cells));
   return stack;
 }
