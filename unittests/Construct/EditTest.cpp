@@ -1,15 +1,20 @@
 // An edited volume has the words of a build of the edited voxels.
 #include "EditTesting.h"
+#include "NewFolder.h"
 #include "TestLength.h"
 
 #include "testing/HardScenes.h"
 #include "testing/RandomFormat.h"
 #include "voxc/Construct/Constructor.h"
+#include "voxc/Construct/EditJournal.h"
 #include "voxc/Source/Edit.h"
 #include "voxc/Source/Sources.h"
+#include "voxc/Support/WorkingMemory.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <random>
 
 namespace voxc {
@@ -132,6 +137,52 @@ TEST(Edit, WhatIsOutsideOfTheVolumeIsAnError) {
             "edit 2 has (1, 1, 1) voxels from (0, 16, 0) on, but the volume ends at (16, 16, 16)");
   const auto other = Constructor::compile(*parseFormat("G(4)"));
   ASSERT_FALSE(other->edit(volume, {}));
+}
+
+/// What a few kilobytes of a journal stand for is kept within one bound, however many volumes they paste.
+TEST(Edit, OfAJournalPastesWithinItsMemory) {
+  const auto folder = test::newFolder("voxc-edit");
+  const std::string path = (folder / "volume.hvx").string();
+  const auto scene = makeBuiltinSource("terrain", 64);
+  ASSERT_TRUE(test::buildVolume(*parseFormat("G(6)"), **scene)->save(path));
+  const auto pasted = test::buildVolume(*parseFormat("R(6^3)"), **scene); // A megabyte of words.
+  {
+    auto journal = EditJournal::open(path);
+    ASSERT_TRUE(journal) << journal.error().message;
+    ASSERT_TRUE(journal->append({{{}, pasted->info().extent, 0, pasted}}));
+  }
+  const auto memory = WorkingMemory::create(1 << 18);
+  const auto edits = readJournal(path, memory);
+  ASSERT_TRUE(edits) << edits.error().message;
+  ASSERT_EQ(edits->size(), 1u);
+  EXPECT_TRUE(std::ranges::equal(edits->front().pasted->words(), pasted->words()));
+  EXPECT_GT(memory->scratchPeak(), 0u);
+  std::filesystem::remove_all(folder);
+}
+
+/// One that was opened and got no edits is none.
+TEST(Edit, WithoutOneNoJournalStays) {
+  const auto folder = test::newFolder("voxc-edit");
+  const std::string path = (folder / "volume.hvx").string();
+  const auto scene = makeBuiltinSource("terrain", 16);
+  ASSERT_TRUE(test::buildVolume(*parseFormat("G(4)"), **scene)->save(path));
+  {
+    auto journal = EditJournal::open(path);
+    ASSERT_TRUE(journal) << journal.error().message;
+    EXPECT_FALSE(EditJournal::open(path)); // Another has it, and does not take it away.
+    EXPECT_TRUE(std::filesystem::exists(journalPathOf(path)));
+    EXPECT_FALSE(journal->append({{{15, 0, 0}, {2, 1, 1}, 1, nullptr}}));
+  }
+  EXPECT_FALSE(std::filesystem::exists(journalPathOf(path)));
+  {
+    auto journal = EditJournal::open(path);
+    ASSERT_TRUE(journal) << journal.error().message;
+    EXPECT_TRUE(journal->append({{{15, 0, 0}, {1, 1, 1}, 0xff0000ff, nullptr}}));
+  }
+  EXPECT_TRUE(std::filesystem::exists(journalPathOf(path)));
+  EXPECT_TRUE(EditJournal::open(path)); // And to be left as it is.
+  EXPECT_EQ(readJournal(path)->size(), 1u);
+  std::filesystem::remove_all(folder);
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 #include "voxc/Volume/Volume.h"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -62,8 +63,10 @@ private:
 };
 
 /// The edits of all whole transactions of the journal beside a volume file, in their order; none where there
-/// is no journal. Errors (`Input`): a journal of another file, or a broken one.
-Expected<std::vector<VoxelEdit>> readJournal(const std::string &path);
+/// is no journal. The volumes that they paste are decoded within the bound of `memory`, all of them together;
+/// null: the default one. Errors (`Input`): a journal of another file, or a broken one.
+Expected<std::vector<VoxelEdit>> readJournal(const std::string &path,
+                                             std::shared_ptr<WorkingMemory> memory = nullptr);
 
 /// A volume file with the edits of its journal. Errors: as `Volume::load`, `readJournal` and
 /// `EditableVolume`.

@@ -9,6 +9,7 @@
 #include "voxc/Construct/EditableVolume.h"
 #include "voxc/Layout/Edits.h"
 #include "voxc/Support/File.h"
+#include "voxc/Support/WorkingMemory.h"
 #include "voxc/Volume/Frames.h"
 #include "voxc/Volume/VolumeSummary.h"
 
@@ -124,7 +125,7 @@ Expected<Volume> loadWith(const std::string &path, const std::vector<VoxelEdit> 
   auto volume = Volume::load(path, loading);
   if (!volume)
     return volume;
-  auto edits = VOXC_TRY(readJournal(path));
+  auto edits = VOXC_TRY(readJournal(path, options.memory));
   if (auto checked = checkEdits(edits, volume->info().extent); !checked)
     return Error::input("'" + journalPathOf(path) + "' is broken: " + checked.error().message);
   edits.insert(edits.end(), next.begin(), next.end());
@@ -234,7 +235,8 @@ Expected<void> EditJournal::fold(const std::string &compacted) {
   return folded;
 }
 
-Expected<std::vector<VoxelEdit>> readJournal(const std::string &volumePath) {
+Expected<std::vector<VoxelEdit>> readJournal(const std::string &volumePath,
+                                             std::shared_ptr<WorkingMemory> memory) {
   std::vector<VoxelEdit> edits;
   const std::string path = journalPathOf(volumePath);
   std::error_code ignored;
@@ -242,9 +244,11 @@ Expected<std::vector<VoxelEdit>> readJournal(const std::string &volumePath) {
     return edits;
   auto file = VOXC_TRY(MappedFile::open(path));
   const auto contents = VOXC_TRY(contentsFor(volumePath, file.bytes()));
+  if (!memory)
+    memory = WorkingMemory::createDefault();
   for (const journal::Record &record : contents.records)
     if (record.kind == journal::RecordKind::Edits)
-      if (auto parsed = journal::parseEdits(record.bytes, edits); !parsed)
+      if (auto parsed = journal::parseEdits(record.bytes, memory, edits); !parsed)
         return Error::input("'" + path + "' is broken: " + parsed.error().message);
   return edits;
 }

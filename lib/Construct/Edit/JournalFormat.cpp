@@ -92,11 +92,12 @@ Expected<std::string> fileOf(const Volume &volume) {
   return text;
 }
 
-Expected<std::shared_ptr<const Volume>> volumeOf(std::span<const std::byte> file) {
+Expected<std::shared_ptr<const Volume>> volumeOf(std::span<const std::byte> file,
+                                                 const std::shared_ptr<WorkingMemory> &working) {
   const MemoryFile memory;
   if (!memory.write(file))
     return Error::environment("there is no memory for a volume that was pasted");
-  auto volume = VOXC_TRY(Volume::load(memory.path(), {.withoutJournal = true}));
+  auto volume = VOXC_TRY(Volume::load(memory.path(), {.memory = working, .withoutJournal = true}));
   return std::make_shared<const Volume>(std::move(volume));
 }
 
@@ -190,7 +191,8 @@ Expected<std::string> editsText(const std::vector<VoxelEdit> &edits) {
   return bytes;
 }
 
-Expected<void> parseEdits(std::span<const std::byte> bytes, std::vector<VoxelEdit> &edits) {
+Expected<void> parseEdits(std::span<const std::byte> bytes, const std::shared_ptr<WorkingMemory> &memory,
+                          std::vector<VoxelEdit> &edits) {
   EditHead head{};
   while (take(bytes, head)) {
     if (head.pastedBytes > bytes.size())
@@ -198,7 +200,7 @@ Expected<void> parseEdits(std::span<const std::byte> bytes, std::vector<VoxelEdi
     VoxelEdit edit{
         {head.low[0], head.low[1], head.low[2]}, {head.size[0], head.size[1], head.size[2]}, head.word, {}};
     if (head.pastedBytes > 0) {
-      edit.pasted = VOXC_TRY(volumeOf(bytes.first(static_cast<std::size_t>(head.pastedBytes))));
+      edit.pasted = VOXC_TRY(volumeOf(bytes.first(static_cast<std::size_t>(head.pastedBytes)), memory));
       edit.size = edit.pasted->info().extent;
       bytes = bytes.subspan(static_cast<std::size_t>(head.pastedBytes));
     }

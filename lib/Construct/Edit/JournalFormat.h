@@ -3,10 +3,12 @@
 
 #include "voxc/Source/Edit.h"
 #include "voxc/Support/Error.h"
+#include "voxc/Support/WorkingMemory.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -62,9 +64,10 @@ Expected<Contents> parse(std::span<const std::byte> file, const std::string &pat
 /// The identity in the head of a volume file. Error (`Input`): it cannot be read.
 Expected<Identity> identityOf(const std::string &volumePath);
 
-/// Edits as the bytes of a record, and back. Errors: a pasted volume cannot be written (`Environment`), or
-/// the bytes are no edits (`Input`).
+/// Edits as the bytes of a record, and back: volumes that they paste are decoded in `memory`. Errors: a
+/// pasted volume cannot be written (`Environment`), or the bytes are no edits (`Input`).
 Expected<std::string> editsText(const std::vector<VoxelEdit> &edits);
-Expected<void> parseEdits(std::span<const std::byte> bytes, std::vector<VoxelEdit> &edits);
+Expected<void> parseEdits(std::span<const std::byte> bytes, const std::shared_ptr<WorkingMemory> &memory,
+                          std::vector<VoxelEdit> &edits);
 
 } // namespace voxc::journal
