@@ -6,6 +6,7 @@
 #include "voxc/Source/Edit.h"
 #include "voxc/Source/Sources.h"
 #include "voxc/Source/VoxelChange.h"
+#include "voxc/Support/WorkingMemory.h"
 
 #include <array>
 #include <span>
@@ -34,7 +35,7 @@ void apply(const std::vector<VoxelEdit> &edits) {
 
 void read(std::span<const std::byte> bytes) {
   std::vector<VoxelEdit> edits;
-  if (!journal::parseEdits(bytes, edits))
+  if (!journal::parseEdits(bytes, WorkingMemory::createDefault(), edits))
     return;
   std::erase_if(edits, [](const VoxelEdit &edit) { return !checkEdits({&edit, 1}, {kSide, kSide, kSide}); });
   apply(edits);
