@@ -1,6 +1,7 @@
 // Variants traced in turn.
 #include "accuracy/Variant.h"
 #include "voxc/IR/Query.h"
+#include "voxc/Trace/SampleIndex.h"
 
 #include <algorithm>
 

@@ -5,6 +5,7 @@
 #include "voxc/Measure/Digest.h"
 #include "voxc/Support/File.h"
 #include "voxc/Support/NumberedPath.h"
+#include "voxc/Volume/Volume.h"
 
 #include <algorithm>
 #include <array>
@@ -130,6 +131,9 @@ Expected<std::vector<ContentFile>> contentFiles(const std::string &input) {
   content.push_back({kindOf(input), path});
   for (const std::string &partner : partnersOf(path))
     content.push_back({fs::path(partner).extension().string(), partner});
+  std::error_code ignored;
+  if (const std::string journal = journalPathOf(path); fs::exists(journal, ignored))
+    content.push_back({"journal", journal}); // Its edits are of what a volume holds.
   if (refers(path)) {
     const fs::path folder = fs::path(path).parent_path();
     auto files = filesBelow(folder.empty() ? "." : folder);

@@ -21,9 +21,9 @@ Expected<std::vector<ContentFile>> contentFiles(const std::string &input);
 /// The path in "grid:WxHxD:FILE" and "raw:WxHxD:TYPE:FILE", or the input itself.
 std::string fileOf(const std::string &input);
 
-/// Digest of an input's content: its file, or all that its pattern names, and the files beside and below it
-/// whose names stand in it, as those of an .obj's materials and textures do. Error: `Input` if the file
-/// cannot be read.
+/// Digest of an input's content: its file, or all that its pattern names, a volume's journal, and the files
+/// beside and below it whose names stand in it, as those of an .obj's materials and textures do. Error:
+/// `Input` if the file cannot be read.
 Expected<std::string> contentDigest(const std::string &input);
 
 } // namespace voxc::tool

@@ -5,6 +5,7 @@
 #include "sweep/Summary.h"
 #include "sweep/SweepArguments.h"
 
+#include "common/FiguresFile.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 #include "options/Figures.h"
@@ -80,6 +81,7 @@ void BenchCommand::declare(const CommandLine &command) {
 Expected<void> BenchCommand::checkUsage() const {
   if (!arguments_.isGiven() || folder_.empty())
     return Error::usage("a sweep takes an INPUT at least, --formats and -o DIR; see 'voxc bench --help'");
+  VOXC_TRY(checkFiguresApart(common_.stats, folder_ + "/" + kResultsName));
   return makeOutputFolder(folder_);
 }
 

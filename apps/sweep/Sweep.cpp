@@ -72,7 +72,10 @@ std::uint64_t bytesOf(const BuiltCell &built, std::size_t rays) {
   return built.cell->record.device.kind == "vulkan" ? 2 * words + 2 * rays * perRay : words + rays * perRay;
 }
 
-std::string picturePath(const SweepModel &model) { return "pictures/" + model.model.name + ".png"; }
+/// Another model of the name, or the same after a change, has another picture.
+std::string picturePath(const SweepModel &model) {
+  return "pictures/" + model.model.name + "-" + model.model.digest.substr(0, 8) + ".png";
+}
 
 /// The camera of a model's picture: its first, no wider than a report wants it.
 Camera pictureCamera(const SweepModel &model, Int3 extent) {

@@ -1,7 +1,7 @@
 // Sets of rays, and samples of them.
 #include "voxc/Measure/MeasuredSet.h"
 
-#include "voxc/Oracle/Oracle.h"
+#include "voxc/Trace/SampleIndex.h"
 
 #include <algorithm>
 

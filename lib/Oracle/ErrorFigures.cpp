@@ -163,21 +163,7 @@ double joinedMeanSquare(const ErrorFigures &a, const ErrorFigures &b) {
                               : (a.rmsDt * a.rmsDt * countA + b.rmsDt * b.rmsDt * countB) / (countA + countB);
 }
 
-/// A number below `bound` for each i, as if by chance: the finalizer of MurmurHash3.
-std::uint64_t scattered(std::uint64_t i, std::uint64_t bound) {
-  std::uint64_t x = i + 1;
-  x = (x ^ x >> 33) * 0xff51afd7ed558ccdu;
-  x = (x ^ x >> 33) * 0xc4ceb9fe1a85ec53u;
-  x ^= x >> 33;
-  return x % bound;
-}
-
 } // namespace
-
-std::size_t sampleIndex(std::size_t i, std::size_t count, std::size_t all) {
-  const std::size_t first = i * all / count, end = (i + 1) * all / count;
-  return first + scattered(i, end - first);
-}
 
 void ErrorFigures::append(const ErrorFigures &further) {
   rmsDt = std::sqrt(joinedMeanSquare(*this, further));

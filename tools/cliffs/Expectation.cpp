@@ -5,6 +5,7 @@
 #include "voxc/Plan/Plan.h"
 #include "voxc/Search/RayCostModel.h"
 #include "voxc/Search/SampleRays.h"
+#include "voxc/Trace/SampleIndex.h"
 
 #include <glm/matrix.hpp>
 

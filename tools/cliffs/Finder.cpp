@@ -1,6 +1,8 @@
 // From a number to findings.
 #include "Finder.h"
 
+#include "voxc/Trace/SampleIndex.h"
+
 #include <algorithm>
 
 namespace voxc::cliffs {

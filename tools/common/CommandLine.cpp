@@ -97,7 +97,7 @@ Option Option::check(std::string (*problemOf)(const std::string &value)) const {
 }
 
 Option Option::list() const {
-  option_->delimiter(',');
+  option_->delimiter(',')->allow_extra_args(false); // The word behind is not its.
   return *this;
 }
 

@@ -52,12 +52,12 @@ public:
     });
   }
 
-private:
   bool is(const std::string &name) const {
     std::error_code ignored;
     return name == name_ || wholeName(name) == whole_ || fs::equivalent(name, name_, ignored);
   }
 
+private:
   bool isOneOf(const std::optional<NumberedPath> &set) const {
     if (!set || !whole_.starts_with(set->before()) || !whole_.ends_with(set->after()))
       return false;
@@ -90,6 +90,14 @@ Expected<void> checkFiguresFile(const CommandLine &command) {
       return Error::usage("--stats and " + option.name() + " both name '" + file +
                           "'; give the figures a file of their own");
   return {};
+}
+
+Expected<void> checkFiguresApart(const std::string &stats, const std::string &written) {
+  std::error_code ignored;
+  if (stats.empty() || stats == "-" || fs::is_other(stats, ignored) || !FiguresFile(stats).is(written))
+    return {};
+  return Error::usage("--stats names '" + stats +
+                      "', which the command writes itself; give the figures a file of their own");
 }
 
 } // namespace voxc::tool

@@ -5,6 +5,8 @@
 
 #include "voxc/Support/Error.h"
 
+#include <string>
+
 namespace voxc::tool {
 
 /// Refuses a file for `--stats` that another option or word of the command names too, in whatever way: as
@@ -12,5 +14,9 @@ namespace voxc::tool {
 /// set, or as the journal of a volume. Figures are written last, over whatever has their name. Pipes and
 /// devices take both. Error: `Usage`.
 Expected<void> checkFiguresFile(const CommandLine &command);
+
+/// Refuses it, `stats`, if the command writes this file itself, as one in its output folder or of a default
+/// name. Error: `Usage`.
+Expected<void> checkFiguresApart(const std::string &stats, const std::string &written);
 
 } // namespace voxc::tool

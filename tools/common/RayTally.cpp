@@ -1,7 +1,7 @@
 // What traced rays come to.
 #include "RayTally.h"
 
-#include "voxc/Oracle/Oracle.h"
+#include "voxc/Trace/SampleIndex.h"
 
 #include <algorithm>
 

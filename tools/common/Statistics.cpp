@@ -1,6 +1,7 @@
 // Figures of a run as JSON.
 #include "Statistics.h"
 
+#include "FiguresFile.h"
 #include "Files.h"
 
 #include <algorithm>
@@ -80,6 +81,9 @@ std::uint64_t peakResidentBytes() {
 Expected<void> writeStatistics(const std::string &path, Json figures) {
   if (path.empty())
     return {};
+  if (figures.contains("files"))
+    for (const Json &file : figures["files"])
+      VOXC_TRY(checkFiguresApart(path, file.get<std::string>()));
   figures["peak_rss_bytes"] = peakResidentBytes();
   return writeText(path, figures.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }

@@ -1,6 +1,8 @@
 // Checking a sample of traced rays.
 #include "tracing/ErrorCheck.h"
 
+#include "voxc/Trace/SampleIndex.h"
+
 #include <algorithm>
 #include <vector>
 

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <set>
 #include <utility>
 
 namespace voxc::test {
@@ -63,24 +62,6 @@ protected:
 
   Oracle oracle_;
 };
-
-TEST(Sample, HasOneRayOfEachStretchAndSeesEveryColumn) {
-  // A step of 128 would see 4 columns.
-  constexpr std::size_t kWidth = 512, kAll = kWidth * 512, kCount = 2048;
-  std::set<std::size_t> columns;
-  for (std::size_t i = 0; i < kCount; ++i) {
-    const std::size_t at = sampleIndex(i, kCount, kAll);
-    EXPECT_EQ(at / (kAll / kCount), i);
-    columns.insert(at % kWidth);
-  }
-  EXPECT_GT(columns.size(), kWidth * 9 / 10);
-}
-
-TEST(Sample, OfAllIsAll) {
-  for (std::size_t i = 0; i < 1000; ++i)
-    EXPECT_EQ(sampleIndex(i, 1000, 1000), i);
-  EXPECT_LT(sampleIndex(2, 3, 7), 7u);
-}
 
 TEST(Oracle, DecodesWhatTheVolumeHolds) {
   const Volume volume = floorAndPillar();

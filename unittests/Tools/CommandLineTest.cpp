@@ -99,6 +99,22 @@ TEST(CommandLine, TakesOneValueForEachTimeAnOptionIsGiven) {
   EXPECT_THAT(inputs, ElementsAre("a.obj"));
 }
 
+TEST(CommandLine, ListsTakeNotTheWordBehindThem) {
+  const CommandLine command;
+  std::vector<std::string> kinds;
+  std::vector<double> box;
+  std::string format;
+  command.add("--emit", kinds, "").list();
+  command.add("--window", box, "").list().values(2);
+  command.add("FORMAT", format, "");
+  EXPECT_EQ(problemOf(command, {"--emit", "ir,plan", "--window", "-1,2", "G(5)"}), "");
+  EXPECT_THAT(kinds, ElementsAre("ir", "plan"));
+  EXPECT_THAT(box, ElementsAre(-1, 2));
+  EXPECT_EQ(format, "G(5)");
+  EXPECT_THAT(problemOf(command, {"--window=1,2,3"}), HasSubstr("2 required but received 3"));
+  EXPECT_EQ(problemOf(command, {"--window=1", "--window", "9"}), "");
+}
+
 TEST(CommandLine, TellsWhatWasGivenInItsOrder) {
   const CommandLine command;
   command.addFlag("--first", "");

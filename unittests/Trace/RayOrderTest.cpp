@@ -1,6 +1,7 @@
 // The order in which rays are taken: bins, when they are chosen, and that hits come back where they belong.
 #include "voxc/Trace/RayOrder.h"
 #include "voxc/Trace/CpuKernel.h"
+#include "voxc/Trace/SampleIndex.h"
 
 #include "Trace/Rays/OrderChoice.h"
 
@@ -11,6 +12,7 @@
 #include <cstring>
 #include <limits>
 #include <random>
+#include <set>
 
 namespace voxc {
 namespace {
@@ -179,6 +181,24 @@ TEST(OrderChoice, ComparesOnlyWhereOrderingIsNotTooDear) {
   EXPECT_TRUE(OrderChoice::mayPay(1, 0.2));
   EXPECT_TRUE(OrderChoice::pays(1, 0.9));
   EXPECT_FALSE(OrderChoice::pays(1, 1.3));
+}
+
+TEST(Sample, HasOneRayOfEachStretchAndSeesEveryColumn) {
+  // A step of 128 would see 4 columns.
+  constexpr std::size_t kWidth = 512, kAll = kWidth * 512, kCount = 2048;
+  std::set<std::size_t> columns;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const std::size_t at = sampleIndex(i, kCount, kAll);
+    EXPECT_EQ(at / (kAll / kCount), i);
+    columns.insert(at % kWidth);
+  }
+  EXPECT_GT(columns.size(), kWidth * 9 / 10);
+}
+
+TEST(Sample, OfAllIsAll) {
+  for (std::size_t i = 0; i < 1000; ++i)
+    EXPECT_EQ(sampleIndex(i, 1000, 1000), i);
+  EXPECT_LT(sampleIndex(2, 3, 7), 7u);
 }
 
 } // namespace

@@ -79,11 +79,6 @@ private:
   std::unique_ptr<State> state_;
 };
 
-/// Which of `all` rays a sample of `count` of them has as its i-th, i < count <= all: one of each of `count`
-/// runs of equal length, at a pseudo-random place that is always the same (stratified sampling). A fixed step
-/// would see one column of a picture, or a few, wherever it has a factor in common with the picture's width.
-std::size_t sampleIndex(std::size_t i, std::size_t count, std::size_t all);
-
 /// How far hits are from the oracle's, and the first rays on which they differ.
 struct ErrorFigures {
   std::uint64_t rays = 0;

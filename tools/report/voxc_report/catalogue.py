@@ -28,6 +28,7 @@ class Entry:
     record: dict
     index: int  # In the order of the records.
     look: Look
+    model: str  # Its name, with a number where several have it.
     device: str  # Short, and different for different devices.
     speed: Optional[Speed]
     size: Optional[float]  # Bytes of the volume; more than 0.
@@ -42,10 +43,6 @@ class Entry:
     def row_id(self):
         """The anchor of its row in the table of all figures."""
         return f"r{self.index + 1}"
-
-    @property
-    def model(self):
-        return self.record["model"]["name"]
 
     @property
     def passes(self):
@@ -148,10 +145,22 @@ def errors_of(record):
     return None if None in figures else Errors(*figures)
 
 
+def model_names(records):
+    """For each record what its model is called. Models that have one name and one resolution but differ, such as a file before
+    and after a change, do not compete: the second is "hut (2)"."""
+    known, names = {}, []
+    for record in records:
+        model = record["model"]
+        digests = known.setdefault((model["name"], record.get("resolution", 0)), {})
+        number = digests.setdefault(model["digest"], len(digests) + 1)
+        names.append(model["name"] + (f" ({number})" if number > 1 else ""))
+    return names
+
+
 def make_entries(records):
-    entries = [Entry(record, index, look_of(record["format"]["name"]), device, speed_of(record),
+    entries = [Entry(record, index, look_of(record["format"]["name"]), model, device, speed_of(record),
                      positive(record["volume"].get("bytes")), positive(record["build"].get("peak_rss_bytes")), errors_of(record))
-               for index, (record, device) in enumerate(zip(records, device_names(records)))]
+               for index, (record, model, device) in enumerate(zip(records, model_names(records), device_names(records)))]
     name_columns(entries)
     name_entries(entries)
     return entries

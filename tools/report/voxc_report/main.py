@@ -51,6 +51,13 @@ def csv_path(page):
     return path
 
 
+def check_no_records(page, folders):
+    """Refuses to write over records, of which all .jsonl files of a folder are."""
+    whole = os.path.realpath(page)
+    if whole.endswith(".jsonl") and os.path.dirname(whole) in map(os.path.realpath, folders):
+        raise UsageProblem(f"-o '{page}' would be one of the records; name the page, such as report.html")
+
+
 def tell(notes):
     for note in notes[:MOST_NOTES]:
         print(note, file=sys.stderr)
@@ -63,6 +70,7 @@ def make_report(arguments):
     about_models = model_notes(arguments.note, records)
     page = arguments.output or os.path.join(arguments.folders[0], "report.html")
     csv = csv_path(page)
+    check_no_records(page, arguments.folders)
     verdicts, notes = read_verdicts(arguments.folders, records)
     catalogue = make_catalogue(records, verdicts)
     html, more_notes = make_page(catalogue, about_models, os.path.basename(csv))

@@ -28,12 +28,12 @@ SECTIONS = [
 ]
 
 
-def load_pictures(records, room):
+def load_pictures(entries, room):
     """The first picture of each model as an address, all within so many bytes; and notes on those that are left out."""
     paths, pictures, notes = {}, {}, []
-    for record in records:
-        if "picture" in record["model"]:
-            paths.setdefault(record["model"]["name"], record["model"]["picture"])
+    for entry in entries:
+        if "picture" in entry.record["model"]:
+            paths.setdefault(entry.model, entry.record["model"]["picture"])
     for model, path in sorted(paths.items()):
         try:
             pictures[model] = thumbnail(path, min(max(room // len(paths), LEAST_OF_ONE), MOST_OF_ONE))
@@ -57,7 +57,7 @@ def make_page(catalogue, model_notes, csv_name):
         return assemble(catalogue, [("models", "Models", model_sections(catalogue, charts, pictures, model_notes)), *rest])
 
     room = max(0, PAGE_BYTES - bytes_of(page_with({})))
-    pictures, notes = load_pictures([entry.record for entry in catalogue.entries], room)
+    pictures, notes = load_pictures(catalogue.entries, room)
     return page_with(pictures), notes
 
 

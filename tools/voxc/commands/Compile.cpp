@@ -1,5 +1,6 @@
 // voxc compile: writes what voxc generates for a format.
 #include "building/Artefacts.h"
+#include "common/FiguresFile.h"
 #include "common/Files.h"
 #include "common/Statistics.h"
 #include "frontend/AttributeOptions.h"
@@ -170,11 +171,11 @@ Expected<void> CompileCommand::write(const std::vector<Artefact> &artefacts) con
   if (folder_ == "-")
     return writeText("-", artefacts.front().contents);
   VOXC_TRY(makeOutputFolder(folder_));
-  for (const Artefact &artefact : artefacts)
-    if (Expected<void> written =
-            writeText((std::filesystem::path(folder_) / artefact.file).string(), artefact.contents);
-        !written)
-      return written;
+  for (const Artefact &artefact : artefacts) {
+    const std::string path = (std::filesystem::path(folder_) / artefact.file).string();
+    VOXC_TRY(checkFiguresApart(common_.stats, path));
+    VOXC_TRY(writeText(path, artefact.contents));
+  }
   return {};
 }
 

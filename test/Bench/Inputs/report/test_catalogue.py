@@ -80,6 +80,12 @@ class Catalogue(unittest.TestCase):
         self.assertEqual(catalogue.formats, 1)
         self.assertEqual([stage.resolution for stage in catalogue.stages[:4]], [2048, 2048, 2048, 512])
 
+    def test_tells_models_of_one_name_apart(self):
+        catalogue = make_catalogue([cell("G(11)", size, 1, model={"digest": digest}, resolution=side)
+                                    for digest, side, size in (("a", 512, 9), ("b", 512, 8), ("c", 256, 4), ("a", 512, 7))])
+        self.assertEqual([entry.model for entry in catalogue.entries], ["hut", "hut (2)", "hut", "hut"])
+        self.assertEqual(sorted(len(stage.entries) for stage in catalogue.stages), [1, 1, 2])
+
     def test_compares_all_measured_passes(self):
         catalogue = make_catalogue([cell("R(4^3) G(7)", 100, 1), cell("R(4^3) G(7)", 50, 1, DEDUP), cell("G(11)", 40, 0.5, DEDUP),
                                     cell("G(11)", 40, 5, BOTH)])

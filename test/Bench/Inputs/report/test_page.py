@@ -8,6 +8,7 @@ from PIL import Image
 from voxc_report.catalogue import make_catalogue
 from voxc_report.csv_table import to_csv
 from voxc_report.markup import fill, tag, text_tag
+from voxc_report.catalogue import make_entries
 from voxc_report.page import load_pictures
 from voxc_report.pictures import thumbnail
 from voxc_report.problems import Problem
@@ -156,7 +157,7 @@ class Pictures(unittest.TestCase):
     def test_that_cannot_be_read_are_noted(self):
         path = Path(self.folder) / "b.png"
         path.write_text("no picture")
-        pictures, notes = load_pictures([cell("G(11)", 1, 1, model={"picture": str(path)})], 500_000)
+        pictures, notes = load_pictures(make_entries([cell("G(11)", 1, 1, model={"picture": str(path)})]), 500_000)
         self.assertEqual((pictures, len(notes)), ({}, 1))
-        pictures, notes = load_pictures([cell("G(11)", 1, 1, model={"picture": self.write()})], 500_000)
+        pictures, notes = load_pictures(make_entries([cell("G(11)", 1, 1, model={"picture": self.write()})]), 500_000)
         self.assertEqual((list(pictures), notes), (["hut"], []))
