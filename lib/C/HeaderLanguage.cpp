@@ -20,7 +20,8 @@ std::string allLanguages() {
 
 /// The functions of a format. Errors: no possible name; a format that they cannot be of.
 Expected<std::string> functionsOf(const Format &format, const char *name, HeaderLanguage language) {
-  if (format.attributes.get(kDetailAttribute) != Detail::Full)
+  const auto asked = VOXC_TRY(makePlan(format));
+  if (asked.stopsAboveVoxels())
     return Error::input("the functions of a header stop at voxels alone: leave out detail=cone");
   const auto plan = VOXC_TRY(makePlan(format, kHeaderPlan));
   if (const std::string problem = problemOf(plan, EmitTarget::Functions); !problem.empty())
