@@ -14,7 +14,9 @@ for record in records:
         print(f"failed '{label}' in {failure['stage']}, words {failure.get('words')}, figures {figures or 'none'}")
     elif record["device"]["kind"] == "cpu":
         twin = next(r for r in records if r["format"] == record["format"] and r["device"]["kind"] == "vulkan")
-        same = "same" if twin["work"] == record["work"] else "other"
+        # Devices round steps that are close calls as they like; what the rays hit is the same.
+        pairs = [(twin["work"][name], record["work"][name]) for name in record["work"]]
+        same = "same" if all(abs(a - b) <= 0.005 * b for a, b in pairs) and pairs[0][0] == pairs[0][1] else "other"
         assert record["speed"]["mrays_per_cpu_s"]["min"] > 0 and record["build"]["peak_rss_bytes"] > 0
         assert record["volume"]["bytes"] == 4 * record["volume"]["words"]
         print(f"measured '{label}': {record['resolution']} voxels an axis, {record['speed']['rounds']} rounds, "
