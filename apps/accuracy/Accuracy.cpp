@@ -65,7 +65,7 @@ void declareValues(const CommandLine &command, const char *name, std::vector<std
   std::string defaults;
   for (const std::string &value : values)
     defaults += (defaults.empty() ? "" : ",") + value;
-  command.add(name, values, summary).list().takes("A,B").oneOf(values).showsDefault(defaults).repeated();
+  command.add(name, values, summary).list().takes("A,B").oneOf(values).showsDefault(defaults);
 }
 
 void AccuracyCommand::declareChoice(const CommandLine &command) {
@@ -88,8 +88,7 @@ void AccuracyCommand::declareChoice(const CommandLine &command) {
            "others")
       .list()
       .takes("A,B")
-      .between(0.0, 1e6)
-      .repeated();
+      .between(0.0, 1e6);
 }
 
 void AccuracyCommand::declare(const CommandLine &command) {

@@ -97,12 +97,19 @@ Option Option::check(std::string (*problemOf)(const std::string &value)) const {
 }
 
 Option Option::list() const {
-  option_->delimiter(',')->allow_extra_args(false); // The word behind is not its.
-  return *this;
+  option_->delimiter(',');
+  return repeated(); // Or CLI11 would take the words behind it too, FORMAT for one.
 }
 
-Option Option::values(int count) const {
-  option_->expected(count);
+Option Option::values(std::size_t count) const {
+  // All of them are known when the first is checked.
+  const auto problemOf = [option = option_, count](const std::string &) {
+    const std::size_t given = option->results().size();
+    return given == count ? std::string()
+                          : "takes " + std::to_string(count) + " values with commas between them, not " +
+                                std::to_string(given);
+  };
+  option_->check(CLI::Validator(problemOf, "", ""));
   return *this;
 }
 

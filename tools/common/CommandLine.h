@@ -50,10 +50,10 @@ public:
   /// Refuses values of which `problemOf` says more than "": what is wrong, and what would be right.
   Option check(std::string (*problemOf)(const std::string &value)) const;
 
-  /// Values are separated by commas.
+  /// Values are separated by commas, all in one word; it may be given several times too.
   Option list() const;
-  /// It takes so many values, no more and no fewer.
-  Option values(int count) const;
+  /// A list of so many values, no more and no fewer.
+  Option values(std::size_t count) const;
   /// It may be given several times, one value each; all are kept.
   Option repeated() const;
   /// It may be given several times; the last counts.

@@ -57,7 +57,6 @@ void AttributeOptions::declareList(const CommandLine &command, const AttributeLi
            std::string(list.summary) + "; of " + joined(names, ", "))
       .takes("A,B=" + joined(namesOf(list, true), ","))
       .list()
-      .repeated()
       .oneOf(names);
 }
 

@@ -67,8 +67,7 @@ void PassOptions::declare(const CommandLine &command, PassChoice choice) {
       .add(kPipelineOption, choice == PassChoice::Pipeline ? "The same as their flags, in this order"
                                                            : "The same as their flags")
       .list()
-      .takes("A,B")
-      .repeated();
+      .takes("A,B");
 }
 
 std::vector<std::string> PassOptions::names() const {

@@ -111,8 +111,20 @@ TEST(CommandLine, ListsTakeNotTheWordBehindThem) {
   EXPECT_THAT(kinds, ElementsAre("ir", "plan"));
   EXPECT_THAT(box, ElementsAre(-1, 2));
   EXPECT_EQ(format, "G(5)");
-  EXPECT_THAT(problemOf(command, {"--window=1,2,3"}), HasSubstr("2 required but received 3"));
   EXPECT_EQ(problemOf(command, {"--window=1", "--window", "9"}), "");
+}
+
+TEST(CommandLine, SaysHowManyValuesAListTakes) {
+  const CommandLine command;
+  std::vector<double> sun;
+  std::string format;
+  command.add("--sun", sun, "").list().values(2);
+  command.add("FORMAT", format, "");
+  EXPECT_EQ(problemOf(command, {"--sun", "1", "2"}), "--sun: takes 2 values with commas between them, not 1");
+  EXPECT_EQ(problemOf(command, {"--sun", "1,2,-3"}),
+            "--sun: takes 2 values with commas between them, not 3");
+  EXPECT_EQ(problemOf(command, {"--sun", "-1,-2"}), "");
+  EXPECT_THAT(sun, ElementsAre(-1, -2));
 }
 
 TEST(CommandLine, TellsWhatWasGivenInItsOrder) {
