@@ -2,6 +2,7 @@
 #include "accuracy/Findings.h"
 
 #include "common/CameraOptions.h"
+#include "common/FiguresFile.h"
 #include "common/Files.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
@@ -124,7 +125,11 @@ Expected<void> AccuracyCommand::checkUsage() const {
     return Error::usage("--rays is no picture: --camera, --size, --fov and --lods are for cameras");
   if (Expected<Camera> camera = makeCamera(camera_, {1, 1, 1}); !camera)
     return camera.error();
-  return folder_.empty() ? Expected<void>() : makeOutputFolder(folder_);
+  if (folder_.empty())
+    return {};
+  for (const char *own : {"accuracy.json", "accuracy.svg", "lod.svg"})
+    VOXC_TRY(checkFiguresApart(common_.stats, folder_ + "/" + own));
+  return makeOutputFolder(folder_);
 }
 
 Expected<Rays> AccuracyCommand::loadRays(const VolumeInfo &volume) const {

@@ -3,6 +3,7 @@
 #include "search/SearchCells.h"
 #include "search/SearchRays.h"
 #include "search/SearchReport.h"
+#include "sweep/Sweep.h"
 
 #include "common/Files.h"
 #include "common/Statistics.h"
@@ -232,6 +233,7 @@ Expected<void> SearchCommand::run() {
   watch_ = {};
   VOXC_TRY(options_.read());
   budget_ = measure::TimeBudget(options_.budget - std::min(kEndSeconds, kEndShare * options_.budget));
+  VOXC_TRY(bench::makeResultsFolder(options_.folder, options_.common));
   VOXC_TRY(makeOutputFolder(options_.folder + "/cache"));
   measure::disableShaderCaches();
   ProgressBar bar(options_.common.quiet);

@@ -5,11 +5,9 @@
 #include "sweep/Summary.h"
 #include "sweep/SweepArguments.h"
 
-#include "common/FiguresFile.h"
 #include "common/Statistics.h"
 #include "common/Terminal.h"
 #include "options/Figures.h"
-#include "options/Outputs.h"
 #include "program/Applications.h"
 #include "voxc/Measure/Machine.h"
 #include "voxc/Support/ShellWord.h"
@@ -81,8 +79,7 @@ void BenchCommand::declare(const CommandLine &command) {
 Expected<void> BenchCommand::checkUsage() const {
   if (!arguments_.isGiven() || folder_.empty())
     return Error::usage("a sweep takes an INPUT at least, --formats and -o DIR; see 'voxc bench --help'");
-  VOXC_TRY(checkFiguresApart(common_.stats, folder_ + "/" + kResultsName));
-  return makeOutputFolder(folder_);
+  return makeResultsFolder(folder_, common_);
 }
 
 /// The options that were given, so that a reader can run the same.

@@ -2,6 +2,7 @@
 #include "sweep/BenchActions.h"
 #include "sweep/SampleCheck.h"
 
+#include "common/FiguresFile.h"
 #include "common/Files.h"
 #include "common/Statistics.h"
 #include "options/Figures.h"
@@ -146,10 +147,12 @@ Record BenchImportCommand::makeRecord(const Record &base, const Findings &findin
 }
 
 Expected<void> BenchImportCommand::run() {
+  const std::string recordsPath = (fs::path(folder_) / kResultsName).string();
+  VOXC_TRY(checkFiguresApart(common_.stats, recordsPath));
   for (const std::string &path : results_)
     VOXC_TRY(readFolder(path));
   const auto records = VOXC_TRY(readRecords(folder_));
-  auto writer = VOXC_TRY(RecordWriter::open((fs::path(folder_) / kResultsName).string()));
+  auto writer = VOXC_TRY(RecordWriter::open(recordsPath));
   SampleCheck check(folder_);
   std::size_t taken = 0;
   for (const Record &base : records) {

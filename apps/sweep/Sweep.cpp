@@ -3,6 +3,7 @@
 
 #include "sweep/Shares.h"
 
+#include "common/FiguresFile.h"
 #include "options/Outputs.h"
 
 #include <algorithm>
@@ -17,6 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr double kStepsOfBuild = 5; ///< How many rounds a build counts for in the progress.
 constexpr int kMostPictureWidth = 640;
+constexpr const char *kCacheFolder = "cache", *kPictureFolder = "pictures"; ///< In that of results.
 
 /// The words of each level, as a build tells them, or none.
 std::optional<std::vector<std::uint64_t>> levelWords(const Json &figures) {
@@ -74,7 +76,8 @@ std::uint64_t bytesOf(const BuiltCell &built, std::size_t rays) {
 
 /// Another model of the name, or the same after a change, has another picture.
 std::string picturePath(const SweepModel &model) {
-  return "pictures/" + model.model.name + "-" + model.model.digest.substr(0, 8) + ".png";
+  return std::string(kPictureFolder) + "/" + model.model.name + "-" + model.model.digest.substr(0, 8) +
+         ".png";
 }
 
 /// The camera of a model's picture: its first, no wider than a report wants it.
@@ -92,8 +95,14 @@ Camera pictureCamera(const SweepModel &model, Int3 extent) {
 
 } // namespace
 
+Expected<void> makeResultsFolder(const std::string &folder, const CommonOptions &common) {
+  for (const char *own : {kResultsName, "report.html", "report.csv", kCacheFolder, kPictureFolder})
+    VOXC_TRY(checkFiguresApart(common.stats, folder + "/" + own));
+  return makeOutputFolder(folder);
+}
+
 Expected<Sweep> Sweep::open(const SweepAxes &axes, std::vector<Cell> cells, SweepOptions options) {
-  for (const char *below : {"cache", "pictures"})
+  for (const char *below : {kCacheFolder, kPictureFolder})
     VOXC_TRY(makeOutputFolder(options.folder + "/" + below));
   for (const SweepModel &model : axes.models)
     for (const RaySet &rays : model.rays)

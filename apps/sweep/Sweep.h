@@ -5,6 +5,7 @@
 #include "sweep/Group.h"
 #include "sweep/VolumeCache.h"
 
+#include "common/Command.h"
 #include "voxc/Measure/RecordFile.h"
 #include "voxc/Support/Progress.h"
 
@@ -30,6 +31,10 @@ struct SweepOptions {
   /// without shares, those that were left are joined first.
   std::string records = kResultsName;
 };
+
+/// Makes the folder of results if it is not there. Errors: `Usage`, the figures would go over what a sweep or
+/// its report writes there; those of `makeOutputFolder`.
+Expected<void> makeResultsFolder(const std::string &folder, const CommonOptions &common);
 
 class Sweep {
 public:

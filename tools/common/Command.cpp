@@ -64,11 +64,11 @@ int parseFailure(const CommandLine &program, const CLI::ParseError &failure) {
   return kUsageExit;
 }
 
-/// Of the command that was given, or of a program without any.
+/// Of the command that was given, such as import of bench, or of a program without any.
 Expected<void> checkFiguresOf(const CommandLine &program) {
   const std::vector<CommandLine> commands = program.commands();
   const auto given = std::ranges::find_if(commands, &CommandLine::isGiven);
-  return checkFiguresFile(given == commands.end() ? program : *given);
+  return given == commands.end() ? checkFiguresFile(program) : checkFiguresOf(*given);
 }
 
 } // namespace

@@ -46,12 +46,21 @@ class FiguresFile {
 public:
   explicit FiguresFile(const std::string &name) : name_(name), whole_(wholeName(name)) {}
 
+  const std::string &name() const { return name_; }
+
   bool isNamedBy(const std::string &written) const {
     return std::ranges::any_of(namesIn(written), [&](const std::string &name) {
       return is(name) || is(journalPathOf(name)) || isOneOf(parseNumberedName(wholeName(name)));
     });
   }
 
+  /// Is it a file, one of a numbered set, or in a folder of this name?
+  bool isOf(const std::string &made) const {
+    const std::string whole = wholeName(made);
+    return is(made) || isOneOf(parseNumberedName(whole)) || whole_.starts_with(whole + "/");
+  }
+
+private:
   bool is(const std::string &name) const {
     std::error_code ignored;
     return name == name_ || wholeName(name) == whole_ || fs::equivalent(name, name_, ignored);
@@ -72,29 +81,34 @@ private:
   std::string name_, whole_;
 };
 
+/// The file that --stats was given, if what else has its name is in danger: pipes and devices take both.
+std::optional<FiguresFile> figuresFileOf(const std::string &stats) {
+  const std::string file = stats == "-" ? "/dev/stdout" : stats;
+  std::error_code ignored;
+  return file.empty() || fs::is_other(file, ignored) ? std::nullopt : std::optional(FiguresFile(file));
+}
+
 } // namespace
 
 Expected<void> checkFiguresFile(const CommandLine &command) {
   const std::optional<Option> stats = command.find("--stats");
   if (!stats || stats->count() == 0)
     return {};
-  const std::string written = stats->written().back(), file = written == "-" ? "/dev/stdout" : written;
-  std::error_code ignored;
-  if (fs::is_other(file, ignored))
+  const std::optional<FiguresFile> figures = figuresFileOf(stats->written().back());
+  if (!figures)
     return {};
-  const FiguresFile figures(file);
-  const auto isFigures = [&](const std::string &value) { return figures.isNamedBy(value); };
+  const auto isFigures = [&](const std::string &value) { return figures->isNamedBy(value); };
   for (const Option &option : command.options())
     if (option.takesValue() && option.choices().empty() && !option.isCalled("--stats") &&
         std::ranges::any_of(option.written(), isFigures))
-      return Error::usage("--stats and " + option.name() + " both name '" + file +
+      return Error::usage("--stats and " + option.name() + " both name '" + figures->name() +
                           "'; give the figures a file of their own");
   return {};
 }
 
-Expected<void> checkFiguresApart(const std::string &stats, const std::string &written) {
-  std::error_code ignored;
-  if (stats.empty() || stats == "-" || fs::is_other(stats, ignored) || !FiguresFile(stats).is(written))
+Expected<void> checkFiguresApart(const std::string &stats, const std::string &made) {
+  const std::optional<FiguresFile> figures = figuresFileOf(stats);
+  if (!figures || !figures->isOf(made))
     return {};
   return Error::usage("--stats names '" + stats +
                       "', which the command writes itself; give the figures a file of their own");

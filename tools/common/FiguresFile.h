@@ -15,8 +15,8 @@ namespace voxc::tool {
 /// devices take both. Error: `Usage`.
 Expected<void> checkFiguresFile(const CommandLine &command);
 
-/// Refuses it, `stats`, if the command writes this file itself, as one in its output folder or of a default
-/// name. Error: `Usage`.
-Expected<void> checkFiguresApart(const std::string &stats, const std::string &written);
+/// Refuses `stats`, the file of `--stats`, if the command makes `made` under a name that no option gave: that
+/// file, one of a numbered set, or whatever lies in that folder. Error: `Usage`.
+Expected<void> checkFiguresApart(const std::string &stats, const std::string &made);
 
 } // namespace voxc::tool

@@ -1,6 +1,7 @@
 // Checks of output paths.
 #include "options/Outputs.h"
 
+#include "common/FiguresFile.h"
 #include "voxc/Volume/Volume.h"
 
 #include <filesystem>
@@ -25,8 +26,10 @@ Expected<void> checkOutputFile(const std::string &path) {
 }
 
 Expected<void> checkOutput(const std::string &path, const CommonOptions &common) {
-  if (path != "-")
+  if (path != "-") {
+    VOXC_TRY(checkFiguresApart(common.stats, path));
     return checkOutputFile(path);
+  }
   if (common.stats == "-")
     return Error::usage("data and figures cannot both go to standard output; give one of them a file");
   return {};

@@ -12,7 +12,8 @@ namespace voxc::tool {
 /// in a journal. Errors: `Input`; `Usage` for "-" and "".
 Expected<void> checkOutputFile(const std::string &path);
 
-/// The same, but "-" is standard output, unless the figures go there.
+/// The same, but "-" is standard output, unless the figures go there; nor do they go to a file of this name,
+/// which may be one that no option gave.
 Expected<void> checkOutput(const std::string &path, const CommonOptions &common);
 
 /// Makes the folder `path` with its parents if it is not there. Errors: `Input` if it is a file,

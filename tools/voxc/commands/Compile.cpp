@@ -44,6 +44,9 @@ private:
   Expected<std::variant<Format, Plan>> readSource() const;
   Expected<void> applyChoices(Format &format) const;
   Expected<std::vector<Artefact>> generate(const std::variant<Format, Plan> &source) const;
+  std::string pathOf(const Artefact &artefact) const {
+    return (std::filesystem::path(folder_) / artefact.file).string();
+  }
   Expected<void> write(const std::vector<Artefact> &artefacts) const;
 
   std::optional<CommandLine> command_;
@@ -170,12 +173,11 @@ Expected<std::vector<Artefact>> CompileCommand::generate(const std::variant<Form
 Expected<void> CompileCommand::write(const std::vector<Artefact> &artefacts) const {
   if (folder_ == "-")
     return writeText("-", artefacts.front().contents);
+  for (const Artefact &artefact : artefacts)
+    VOXC_TRY(checkFiguresApart(common_.stats, pathOf(artefact)));
   VOXC_TRY(makeOutputFolder(folder_));
-  for (const Artefact &artefact : artefacts) {
-    const std::string path = (std::filesystem::path(folder_) / artefact.file).string();
-    VOXC_TRY(checkFiguresApart(common_.stats, path));
-    VOXC_TRY(writeText(path, artefact.contents));
-  }
+  for (const Artefact &artefact : artefacts)
+    VOXC_TRY(writeText(pathOf(artefact), artefact.contents));
   return {};
 }
 
@@ -196,7 +198,7 @@ Expected<void> CompileCommand::run() {
   VOXC_TRY(write(artefacts));
   if (folder_ != "-" && !common_.quiet)
     for (const Artefact &artefact : artefacts)
-      printNote("wrote " + (std::filesystem::path(folder_) / artefact.file).string());
+      printNote("wrote " + pathOf(artefact));
   return writeStatistics(common_.stats, figures);
 }
 
