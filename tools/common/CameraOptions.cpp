@@ -73,10 +73,16 @@ std::optional<Camera> parsePoints(std::string_view text, const glm::dvec3 &defau
   return Camera{.eye = *eye, .look = *look, .up = *up};
 }
 
-/// What --size says, or nothing. Errors: `Usage`, that or --fov is malformed.
+/// Of a number; what is none CLI11 tells.
+std::string problemOfFov(const std::string &text) {
+  const auto degrees = parseNumber<double>(text);
+  return !degrees || (*degrees > 0 && *degrees < 180)
+             ? ""
+             : "should lie between 0 and 180 degrees, not at " + text;
+}
+
+/// What --size says, or nothing. Errors: `Usage`, that is malformed.
 Expected<std::optional<std::array<int, 2>>> checkedSize(const CameraOptions &options) {
-  if (options.fov != 0 && !(options.fov > 0 && options.fov < 180))
-    return Error::usage("--fov should lie between 0 and 180 degrees");
   if (options.size.empty())
     return std::optional<std::array<int, 2>>();
   const auto size = VOXC_TRY(parseSize(options.size));
@@ -146,7 +152,8 @@ void addCameraPlace(const CommandLine &command, CameraOptions &options) {
            "of the model; or a camera of a camera file; the default sees the whole volume")
       .takes("[model:]EX,EY,EZ:LX,LY,LZ[:UX,UY,UZ]|FILE:NAME");
   const Option fov = command.add("--fov", options.fov, "Vertical field of view; the default is the camera's")
-                         .takes("DEGREES");
+                         .takes("DEGREES")
+                         .check(problemOfFov);
   command.addFlag("--orthographic", options.orthographic,
                   "Parallel rays: what is further off does not look smaller");
   command

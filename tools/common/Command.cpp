@@ -74,7 +74,7 @@ Expected<void> checkFiguresOf(const CommandLine &program) {
 } // namespace
 
 void addCommonOptions(const CommandLine &command, CommonOptions &options) {
-  const OptionGroup group(command, "Common options");
+  const OptionGroup group(command, kCommonOptions);
   command.add("--stats", options.stats, "Write figures as JSON; - for standard output")
       .takes("FILE")
       .notEmpty();

@@ -11,6 +11,9 @@
 
 namespace voxc::tool {
 
+/// The group of help that they stand in.
+inline constexpr const char *kCommonOptions = "Common options";
+
 /// Options that every command takes.
 struct CommonOptions {
   std::string stats;  ///< File for the figures as JSON; "-" is standard output, "" writes none.

@@ -286,6 +286,9 @@ Expected<void> BuildSession::buildFragment(Format &format, std::uint64_t index, 
   if (buildArguments_.compress)
     return Error::usage(
         "a fragment is not compressed; give --compress to the voxc merge that makes a volume of it");
+  if (!buildArguments_.maxBytes.empty())
+    return Error::usage(
+        "--max-bytes bounds the words of a volume, which a fragment has not yet; leave it out");
   auto prepared = VOXC_TRY(prepare(format, common, progress, figures));
   auto report =
       VOXC_TRY(prepared.constructor.buildFragment(prepared.source(), index, count, path, prepared.options));

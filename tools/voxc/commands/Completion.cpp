@@ -137,6 +137,7 @@ public:
       names.emplace_back(shell.name);
     command.add("SHELL", shell_, "The shell: bash, zsh or fish").required().takes("").oneOf(names);
     addCommonOptions(command, common_);
+    command.remove(command.option("--stats")); // A script has no figures.
   }
 
   Expected<void> run() override {

@@ -127,17 +127,20 @@ public:
           .repeated();
     const Option output =
         command.add("-o,--output", output_, "Volume to write; may be the one that is read").takes("V.hvx");
-    command
-        .addFlag("--journal", journal_,
-                 "Add the edits to the journal beside the volume in place of writing a file: at once on the "
-                 "disk, and part of the volume for every command")
-        .excludes(output);
+    const Option journal =
+        command
+            .addFlag(
+                "--journal", journal_,
+                "Add the edits to the journal beside the volume in place of writing a file: at once on the "
+                "disk, and part of the volume for every command")
+            .excludes(output);
     command
         .addFlag("--compact", compact_,
                  "Write the volume with all edits of its journal, and others if there are any")
         .needs(output);
     addMemoryArguments(command, arguments_);
     addCompressArgument(command, arguments_.compress);
+    command.option("--compress").excludes(journal);
     addCommonOptions(command, common_);
   }
 

@@ -167,6 +167,8 @@ private:
   Expected<void> tellFiles() const {
     if (prove_)
       return Error::usage("--prove is for .hvx files; leave it out");
+    if (!common_.stats.empty())
+      return Error::usage("--stats is for an INPUT; the table of --files has no figures");
     std::printf("%s", fileFeatureTable().c_str());
     return {};
   }

@@ -51,6 +51,7 @@ public:
     command.add("-o,--output", folder_, "Writes the pages of all commands to files in this folder")
         .takes("DIR");
     addCommonOptions(command, common_);
+    command.remove(command.option("--stats")); // A page has no figures.
   }
 
   Expected<void> run() override {

@@ -30,6 +30,8 @@ public:
     VOXC_TRY(rendering_.check(building_.input(), common_));
     if (!volumePath_.empty())
       VOXC_TRY(checkOutputFile(volumePath_));
+    else if (building_.means().compress)
+      return Error::usage("--compress is for the volume that is kept; name it by --volume V.hvx");
     Json figures;
     ProgressBar bar(common_.quiet);
     VOXC_TRY(buildAndRender(bar, figures));

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cinttypes>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -74,6 +75,7 @@ private:
   bool accepts(const ErrorFigures &error) const;
   void fail(std::string what) { failures_.push_back(std::move(what)); }
 
+  std::optional<CommandLine> command_;
   VolumeArgument volume_;
   std::string against_;
   InputArguments inputArguments_;
@@ -88,6 +90,7 @@ private:
 };
 
 void VerifyCommand::declare(const CommandLine &command) {
+  command_ = command;
   volume_.declare(command,
                   "A .hvx file; or a build plan, of which what stands is compared with the plan's input");
   command.add("--against", against_, "Compare with this input, voxel by voxel, both ways").takes("INPUT");
@@ -107,8 +110,11 @@ void VerifyCommand::declare(const CommandLine &command) {
 
 Expected<void> VerifyCommand::checkVoxels(const std::shared_ptr<const Volume> &volume,
                                           const Progress &progress) {
-  InputArguments arguments = inputArguments_;
+  InputArguments arguments = inputArguments_, asked = inputArguments_;
   fillFromProvenance(arguments, volume->info().provenance);
+  if (!asked.fillColour.empty())
+    asked.interior = arguments.interior; // To fill may have been asked for when the volume was built.
+  VOXC_TRY(checkInputArguments(asked, against_));
   InputOptions options = makeInputOptions(arguments, volume->format().extent());
   options.progress = progress;
   options.reference = true;
@@ -192,8 +198,9 @@ Expected<void> VerifyCommand::run() { return isBuildPlan(volume_.path()) ? check
 
 /// What stands of a plan, against the plan's own input.
 Expected<void> VerifyCommand::checkPlan() {
-  if (!against_.empty())
-    return Error::usage("--against is for a volume; a build plan is held against its own input");
+  for (const Option &option : command_->given())
+    if (!option.isWord() && option.group() != kCommonOptions)
+      return Error::usage(option.name() + " is for a volume; a build plan is held against its own input");
   ProgressBar bar(common_.quiet);
   const auto found = VOXC_TRY(tool::checkPlan(volume_.path(), {}, bar.progress()));
   bar.clear();
@@ -216,6 +223,9 @@ Expected<void> VerifyCommand::checkPlan() {
 }
 
 Expected<void> VerifyCommand::checkVolume() {
+  if (const std::vector<std::string> words = toWords(inputArguments_); against_.empty() && !words.empty())
+    return Error::usage(words.front().substr(0, words.front().find('=')) +
+                        " is for the input that --against names; name one, or leave it out");
   ProgressBar bar(common_.quiet);
   auto loaded = VOXC_TRY(volume_.load());
   const auto volume = std::make_shared<const Volume>(std::move(loaded));
