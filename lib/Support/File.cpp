@@ -5,8 +5,10 @@
 #include "Support/Platform/Mapping.h"
 #include "Support/Platform/UnnamedFile.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <iterator>
 
 namespace voxc {
 namespace {
@@ -14,6 +16,13 @@ namespace {
 using platform::PathKind;
 
 std::string reason() { return std::strerror(errno); }
+
+/// Of a file that cannot be read. That it is not there is a fault of its name; the rest the machine lacks.
+Error cannotRead(const std::string &path) {
+  constexpr int kOfMachine[] = {EACCES, EPERM, EMFILE, ENFILE, ENOMEM, EIO};
+  const bool isOfMachine = std::ranges::find(kOfMachine, errno) != std::end(kOfMachine);
+  return {isOfMachine ? ErrorKind::Environment : ErrorKind::Input, "cannot read '" + path + "': " + reason()};
+}
 
 /// Closes a file on every way out.
 struct OpenFile {
@@ -30,7 +39,7 @@ Expected<MappedFile> MappedFile::open(const std::string &path) {
   const OpenFile file{platform::openToRead(path)};
   const auto status = file.number < 0 ? std::nullopt : platform::statusOf(file.number);
   if (!status)
-    return Error::input("cannot read '" + path + "': " + reason());
+    return cannotRead(path);
   if (status->kind == PathKind::Folder)
     return Error::input("'" + path + "' is a directory; name a file");
   if (status->kind != PathKind::File)

@@ -65,8 +65,8 @@ Expected<std::vector<FormatLine>> readFormatList(const std::string &argument) {
     return parseList(argument, ';', "--formats");
   const Expected<std::string> text = readTextFile(argument);
   if (!text)
-    return Error::input("--formats '" + argument +
-                        "' is neither a format nor a list: " + text.error().message);
+    return Error{text.error().kind,
+                 "--formats '" + argument + "' is neither a format nor a list: " + text.error().message};
   return parseList(*text, '\n', argument);
 }
 

@@ -104,6 +104,36 @@ TEST_F(LinkedFile, WhatIsOpenIsWrittenTo) {
   EXPECT_EQ(files(), 2);
 }
 
+/// The machine lacks a permission then; nothing is wrong with the file.
+TEST_F(LinkedFile, ThatMayNotBeReadIsNoWrongInput) {
+  const std::string path = pathOf("file");
+  ASSERT_TRUE(writeFile(path, "text"));
+  ASSERT_EQ(::chmod(path.c_str(), 0), 0);
+  ASSERT_EQ(::chmod(folder_.c_str(), 0755), 0);
+  constexpr int kLacks = 0, kWrong = 1, kMay = 2;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    // Root may read everything.
+    const bool mayNot = ::geteuid() != 0 || ::setuid(2000) == 0;
+    if (!mayNot || ::access(folder_.c_str(), X_OK) != 0)
+      ::_exit(kMay);
+    const auto file = MappedFile::open(path);
+    ::_exit(!file && file.error().kind == ErrorKind::Environment ? kLacks : kWrong);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_TRUE(WIFEXITED(status));
+  if (WEXITSTATUS(status) == kMay)
+    GTEST_SKIP() << "this process cannot become another that sees the folder";
+  EXPECT_EQ(WEXITSTATUS(status), kLacks);
+}
+
+TEST(MappedFile, ThatIsNotThereIsAWrongInput) {
+  const auto file = MappedFile::open("/none/such");
+  ASSERT_FALSE(file);
+  EXPECT_EQ(file.error().kind, ErrorKind::Input);
+}
+
 TEST_F(LinkedFile, KeepsPermissions) {
   const std::string path = pathOf("file");
   ASSERT_TRUE(writeFile(path, "old"));

@@ -16,7 +16,8 @@ namespace voxc {
 /// A regular file mapped into memory, read only; unmapped on destruction.
 class MappedFile {
 public:
-  /// Errors: `Input` if `path` is missing, unreadable, a directory or another thing that is not a file.
+  /// Errors: `Input` if `path` is missing, a directory or another thing that is not a file; `Environment` if
+  /// it may not be read, or cannot be.
   static Expected<MappedFile> open(const std::string &path);
   ~MappedFile();
   MappedFile(MappedFile &&) noexcept;
