@@ -15,6 +15,7 @@
 #include <cstdio>
 #include <iostream>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace voxc::tool {
@@ -50,10 +51,22 @@ std::string inOurWords(const CLI::ParseError &failure) {
   return text;
 }
 
+/// The exit code of what ended so. What was printed may have failed unseen.
+int finish(Expected<void> outcome) {
+  if (outcome)
+    outcome = flushStandardOutput();
+  if (outcome)
+    return 0;
+  printError(outcome.error());
+  return exitCode(outcome.error().kind);
+}
+
 /// CLI11 tells of wrong arguments, but also of --help and --version, by throwing.
 int parseFailure(const CommandLine &program, const CLI::ParseError &failure) {
-  if (failure.get_exit_code() == 0)
-    return program.app().exit(failure, std::cout, std::cerr);
+  if (failure.get_exit_code() == 0) {
+    program.app().exit(failure, std::cout, std::cerr);
+    return finish({});
+  }
   const std::vector<CommandLine> commands = program.commands();
   const auto given = std::ranges::find_if(commands, &CommandLine::isGiven);
   const CommandLine &command = given == commands.end() ? program : *given;
@@ -85,14 +98,12 @@ void addCommonOptions(const CommandLine &command, CommonOptions &options) {
 int runTool(const CommandLine &program, int argc, char **argv, const std::function<Expected<void>()> &body) {
   signAs(program.name().c_str());
   catchInterrupts();
-  if (Expected<void> prepared = prepareProcess(); !prepared) {
-    printError(prepared.error());
-    return exitCode(prepared.error().kind);
-  }
+  if (Expected<void> prepared = prepareProcess(); !prepared)
+    return finish(std::move(prepared));
   const std::span<char *const> words(argv, static_cast<std::size_t>(argc));
   if (program.find("--manual") && std::ranges::count(words, std::string_view("--manual")) > 0) {
     std::fputs(manualPage(program).c_str(), stdout);
-    return 0;
+    return finish({});
   }
   try {
     program.app().parse(argc, argv);
@@ -104,12 +115,7 @@ int runTool(const CommandLine &program, int argc, char **argv, const std::functi
     if (outcome)
       outcome = body();
     heedInterrupt();
-    if (outcome)
-      outcome = flushStandardOutput();
-    if (outcome)
-      return 0;
-    printError(outcome.error());
-    return exitCode(outcome.error().kind);
+    return finish(std::move(outcome));
   } catch (const std::bad_alloc &) {
     Error error = Error::environment("out of memory");
     printError(error);
