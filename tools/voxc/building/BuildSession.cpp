@@ -199,6 +199,14 @@ Expected<BuildSession::Opened> BuildSession::open(Format &format, const CommonOp
   options.threads = threadsOf(buildArguments_);
   options.boxOfAllFrames = frames_;
   const Stopwatch opening;
+  if (frames_ && payload_.isAuto())
+    return Error::usage(
+        "--payload auto looks at the colours of one frame; state a payload that holds those of "
+        "all, or leave --frames out");
+  if (frames_ && passes_.asksPointerBits())
+    return Error::usage(
+        "--short-pointers=auto counts the shapes of one frame; say how many bits those of all "
+        "need, or leave --frames out");
   if (frames_ && withoutFrame(input_) != input_)
     return Error::usage("'" + input_ + "' names one frame, and --frames takes all; leave one of them out");
   auto input = VOXC_TRY(openInput(input_, options));
