@@ -121,8 +121,7 @@ TEST(CommandLine, SaysHowManyValuesAListTakes) {
   command.add("--sun", sun, "").list().values(2);
   command.add("FORMAT", format, "");
   EXPECT_EQ(problemOf(command, {"--sun", "1", "2"}), "--sun: takes 2 values with commas between them, not 1");
-  EXPECT_EQ(problemOf(command, {"--sun", "1,2,-3"}),
-            "--sun: takes 2 values with commas between them, not 3");
+  EXPECT_EQ(problemOf(command, {"--sun", "1,2,-3"}), "--sun: takes 2 values with commas between them, not 3");
   EXPECT_EQ(problemOf(command, {"--sun", "-1,-2"}), "");
   EXPECT_THAT(sun, ElementsAre(-1, -2));
 }
