@@ -1,7 +1,6 @@
 // Figures of a run as JSON.
 #include "Statistics.h"
 
-#include "FiguresFile.h"
 #include "Files.h"
 
 #include <algorithm>
@@ -81,9 +80,6 @@ std::uint64_t peakResidentBytes() {
 Expected<void> writeStatistics(const std::string &path, Json figures) {
   if (path.empty())
     return {};
-  if (figures.contains("files"))
-    for (const Json &file : figures["files"])
-      VOXC_TRY(checkFiguresApart(path, file.get<std::string>()));
   figures["peak_rss_bytes"] = peakResidentBytes();
   return writeText(path, figures.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }

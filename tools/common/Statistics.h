@@ -34,8 +34,8 @@ void addTraceFigures(Json &figures, const TraceReport &report, const RayCounts &
 /// The largest memory of this process so far, in bytes.
 std::uint64_t peakResidentBytes();
 
-/// Adds peak_rss_bytes and writes the figures to `path`: "-" is standard output, "" writes nothing. Errors:
-/// the path is one of their `files` (`Usage`); nothing can be written there (`Environment`).
+/// Adds peak_rss_bytes and writes the figures to `path`: "-" is standard output, "" writes nothing. Error:
+/// nothing can be written there (`Environment`).
 Expected<void> writeStatistics(const std::string &path, Json figures);
 
 } // namespace voxc::tool

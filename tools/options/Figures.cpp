@@ -3,6 +3,7 @@
 
 #include "options/Stages.h"
 
+#include "common/FiguresFile.h"
 #include "common/Statistics.h"
 
 #include <cmath>
@@ -206,6 +207,8 @@ Expected<void> tellFigures(const CommonOptions &common, const Json &figures) {
     if (const std::string text = stagesText(figures); !text.empty())
       printLine("took", text);
   }
+  for (const Json &file : figures.value("files", Json::array()))
+    VOXC_TRY(checkFiguresApart(common.stats, file.get<std::string>()));
   return writeStatistics(common.stats, figures);
 }
 
