@@ -31,7 +31,7 @@ D(3^3,15) M(2^3) --octant-distances --df-packing --share-grids --values-apart
 H(3^3) M(2^3) --share-grids --short-pointers
 M(1^3) M(2^3) M(2^3) --payload auto --share-grids --values-apart
 R(1^3) G(4) --values-apart --payload auto
-R(2^3) G(0) G(3) --granules=4
+R(2^3) G(0) G(3) --granules --granules
 G(5) --rgb565
 """.strip().splitlines()
 

@@ -25,7 +25,7 @@ RAYS = 5000
 FORMATS = """
 G(5) --restart-sv
 R(2^3) G(3) --whole-level-dedup
-R(2^3) G(0) G(3) --granules=4
+R(2^3) G(0) G(3) --granules --granules
 H(3^3) M(2^3) --share-grids --short-pointers
 D(3^3,15) M(2^3) --octant-distances --df-packing --share-grids --values-apart
 M(1^3) M(2^3) M(2^3) --payload auto --share-grids --values-apart
