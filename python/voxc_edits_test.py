@@ -1,5 +1,6 @@
 """Tests of volumes that change, and of what follows them: python3 -m unittest voxc_edits_test"""
 import ctypes
+import tempfile
 import threading
 import unittest
 
@@ -55,10 +56,30 @@ class Editing(unittest.TestCase):
             return 0
 
         library.check(library.lib.voxc_editable_apply(handle, low, size, library.EDITED_VOXEL(inner), None))
-        self.assertEqual(told, {"an edit of this volume is running, whose function must not edit, compact or follow it"})
+        self.assertEqual(told, {"an edit of this volume is running, whose function must not edit, compact, follow or frame it"})
         self.assertEqual(editable.voxels, 510)
         editable.restore(first)
         self.assertEqual(editable.voxels, 512)
+
+    def test_a_snapshot_within_a_function_is_of_the_state_before(self):
+        editable, states = voxc.Editable(full("R(3, 3, 3)")), []
+        function = library.EDITED_VOXEL(lambda *_: states.append(library.lib.voxc_editable_snapshot(editable._handle)) or 0)
+        low, size = library.int3((0, 0, 0), "low"), library.int3((8, 8, 4), "size")
+        library.check(library.lib.voxc_editable_apply(editable._handle, low, size, function, None))
+        self.assertEqual(editable.voxels, 256)
+        for state in (states[0], states[-1]):
+            library.lib.voxc_editable_restore(editable._handle, state)
+            self.assertEqual((editable.voxels, np.count_nonzero(editable.view().read())), (512, 512))
+
+    def test_many_frames_that_repeat_are_read_again(self):
+        editable = voxc.Editable(full("R(1, 1, 1)", 2))
+        states = [editable.snapshot()]
+        editable.clear((0, 0, 0), (1, 1, 1))
+        states.append(editable.snapshot())
+        with tempfile.TemporaryDirectory() as folder:
+            path = folder + "/loop.hvx"
+            editable.framed(states * 35000).save(path, compress=True)
+            self.assertEqual(voxc.open(path + "#70000").voxels, 7)
 
     def test_the_progress_of_a_compaction_edits_nothing(self):
         editable, made = voxc.Editable(full()), ctypes.c_void_p()
@@ -86,6 +107,7 @@ class Editing(unittest.TestCase):
 
 class Following(unittest.TestCase):
     RAY = (-1, 16.5, 16.5), (1, 0, 0)
+    VIEW = {"eye": (60, 50, 70), "look": (16, 16, 16)}
 
     def setUp(self):
         # A grid of several blocks, which an edit changes without a word more in the first of them.
@@ -116,6 +138,16 @@ class Following(unittest.TestCase):
         self.assertEqual(self.tracer.update(self.editable.view()), 0)
         self.assertGreater(copied, 0)
 
+    def test_what_followed_before_an_update_follows_again(self):
+        self.needs_a_device()
+        other = self.editable.view()
+        self.editable.clear((0, 0, 0), (12, 32, 32))
+        self.tracer.follow(self.editable)
+        self.tracer.update(other)
+        self.editable.clear((31, 31, 31), (1, 1, 1))
+        self.tracer.follow(self.editable)
+        self.assertEqual(self.tracer.trace(*self.RAY)["voxel"].tolist(), [12, 16, 16])
+
     def test_changes_stay_where_following_fails(self):
         self.needs_a_device()
         other = full("G(5)", 32).tracer("cpu")
@@ -132,7 +164,27 @@ class Following(unittest.TestCase):
             if not threads:
                 threads.append(is_waiting(lambda: tracer.trace(*self.RAY)))
 
-        tracer.render(64, 64, eye=(60, 50, 70), look=(16, 16, 16), progress=report)
+        tracer.render(64, 64, **self.VIEW, progress=report)
+        [(thread, was_waiting)] = threads
+        thread.join()
+        self.assertTrue(was_waiting)
+
+    def test_the_progress_of_a_picture_does_not_use_its_tracer(self):
+        tracer, other = self.editable.view().tracer("cpu"), self.editable.view()
+        for inner in (lambda: tracer.update(other), lambda: tracer.follow(self.editable), lambda: tracer.trace(*self.RAY), lambda: tracer.render(8, 8)):
+            with self.assertRaisesRegex(RuntimeError, "a picture of this tracer is being made"):
+                tracer.render(64, 64, **self.VIEW, clip_box=((0, 0, 0), (9, 9, 9)), progress=lambda *_: inner())
+        self.assertEqual(tracer.render(8, 8).shape, (8, 8, 4))
+
+    def test_a_picture_whose_progress_edits_waits_for_nobody(self):
+        tracer, threads = self.editable.view().tracer("cpu"), []
+
+        def report(*_):
+            if not threads:
+                threads.append(is_waiting(lambda: tracer.follow(self.editable)))
+            self.editable.set_box((0, 0, 0), (1, 1, 1), 0)
+
+        tracer.render(64, 64, **self.VIEW, progress=report)
         [(thread, was_waiting)] = threads
         thread.join()
         self.assertTrue(was_waiting)

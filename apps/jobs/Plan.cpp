@@ -3,6 +3,7 @@
 #include "cluster/BuildPlan.h"
 #include "cluster/CubeCosts.h"
 #include "cluster/EvenCut.h"
+#include "common/FiguresFile.h"
 #include "common/Files.h"
 #include "common/Terminal.h"
 #include "jobs/InputContent.h"
@@ -94,6 +95,7 @@ private:
     const std::string volume =
         volume_.empty() ? fs::path(output_).replace_extension(".hvx").string() : volume_;
     VOXC_TRY(checkOutputFile(volume));
+    VOXC_TRY(checkFiguresApart(common_.stats, volume));
     const auto whole = [](const std::string &path) { return fs::absolute(path).lexically_normal(); };
     const auto isVolume = [&](const std::string &path) {
       std::error_code ignored;

@@ -2,10 +2,16 @@
 #include "jobs/PlanRun.h"
 
 #include "cluster/Work.h"
+#include "common/FiguresFile.h"
 
 namespace voxc::tool {
 
 using namespace cluster;
+
+Expected<void> PlanRun::checkFigures(const CommonOptions &common) const {
+  VOXC_TRY(checkFiguresApart(common.stats, files_.output(plan_.tree().root())));
+  return checkFiguresApart(common.stats, files_.folder());
+}
 
 Expected<Jobs::Missing> PlanRun::missing() const {
   const MergeTree tree = plan_.tree();

@@ -5,6 +5,7 @@
 
 #include "cluster/BuildPlan.h"
 #include "cluster/PlanFiles.h"
+#include "common/Command.h"
 #include "options/BuildArguments.h"
 
 #include <string>
@@ -23,6 +24,8 @@ public:
 
   const cluster::BuildPlan &plan() const { return plan_; }
   const cluster::PlanFiles &files() const { return files_; }
+  /// Refuses figures that would go over the plan's volume or its parts. Error: `Usage`.
+  Expected<void> checkFigures(const CommonOptions &common) const;
 
   std::size_t levels() const override { return plan_.tree().levels(); }
   Expected<Missing> missing() const override;

@@ -28,6 +28,7 @@ public:
     const std::string path = std::filesystem::absolute(path_).lexically_normal().string();
     auto plan = VOXC_TRY(loadPlan(path));
     const PlanRun run(path, std::move(plan), {});
+    VOXC_TRY(run.checkFigures(common_));
     std::vector<QueuedJob> queue;
     if (bySlurm_)
       queue = VOXC_TRY(slurmOf(run, {}).queue(run.levels()));

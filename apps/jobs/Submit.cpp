@@ -36,6 +36,7 @@ public:
     Json figures;
     ProgressBar bar(common_.quiet);
     const PlanRun run(path, std::move(plan), means_);
+    VOXC_TRY(run.checkFigures(common_));
     VOXC_TRY(run.files().makeFolder());
     const auto lock = cluster::PlanLock::take(run.files().folder(), bar.progress(), [this] {
       if (!common_.quiet)

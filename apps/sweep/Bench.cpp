@@ -42,6 +42,7 @@ public:
 private:
   void declareActions(const CommandLine &command);
 
+  Expected<void> checkNoSweep() const;
   Expected<void> checkUsage() const;
   std::string commandText() const;
   Expected<void> runHere();
@@ -74,6 +75,17 @@ void BenchCommand::declare(const CommandLine &command) {
   shares_.declare(command, "as many as there are models, whose formats are then measured together");
   addCommonOptions(command, common_);
   declareActions(command);
+}
+
+/// Options before an action are of a sweep. Error: `Usage`.
+Expected<void> BenchCommand::checkNoSweep() const {
+  const std::vector<Option> given = command_->given();
+  if (given.empty())
+    return {};
+  return Error::usage(
+      given.front().name() +
+      " is of a sweep, and what is done with results has options of its own; leave it out, or "
+      "write it behind");
 }
 
 Expected<void> BenchCommand::checkUsage() const {
@@ -175,8 +187,10 @@ Expected<void> BenchCommand::runInShares() {
 
 Expected<void> BenchCommand::run() {
   for (auto &[subcommand, action] : actions_)
-    if (subcommand.isGiven())
+    if (subcommand.isGiven()) {
+      VOXC_TRY(checkNoSweep());
       return action->run();
+    }
   VOXC_TRY(checkUsage());
   return shares_.areElsewhere() ? runInShares() : runHere();
 }

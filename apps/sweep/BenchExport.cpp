@@ -1,6 +1,7 @@
 // voxc bench export: packs the cells of a sweep for a machine that has voxc-trace alone.
 #include "sweep/BenchActions.h"
 #include "sweep/Pack.h"
+#include "sweep/Sweep.h"
 
 #include "common/Statistics.h"
 #include "options/Figures.h"
@@ -33,6 +34,7 @@ public:
   }
 
   Expected<void> run() override {
+    VOXC_TRY(checkFiguresNoResults(folder_, common_));
     const auto records = VOXC_TRY(readRecords(folder_));
     VOXC_TRY(makeOutputFolder(output_));
     PackWriter packs(output_, packMegabytes_ * 1000000);

@@ -2,10 +2,10 @@
 #include "sweep/BenchActions.h"
 #include "sweep/SampleCheck.h"
 
-#include "common/FiguresFile.h"
 #include "common/Files.h"
 #include "common/Statistics.h"
 #include "options/Figures.h"
+#include "sweep/Sweep.h"
 #include "voxc/Measure/RecordFile.h"
 #include "voxc/Support/File.h"
 
@@ -148,7 +148,7 @@ Record BenchImportCommand::makeRecord(const Record &base, const Findings &findin
 
 Expected<void> BenchImportCommand::run() {
   const std::string recordsPath = (fs::path(folder_) / kResultsName).string();
-  VOXC_TRY(checkFiguresApart(common_.stats, recordsPath));
+  VOXC_TRY(checkFiguresNoResults(folder_, common_));
   for (const std::string &path : results_)
     VOXC_TRY(readFolder(path));
   const auto records = VOXC_TRY(readRecords(folder_));

@@ -5,6 +5,7 @@
 
 #include "common/FiguresFile.h"
 #include "options/Outputs.h"
+#include "voxc/Measure/SearchVerdict.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -95,8 +96,23 @@ Camera pictureCamera(const SweepModel &model, Int3 extent) {
 
 } // namespace
 
+Expected<void> checkFiguresNoResults(const std::string &folder, const CommonOptions &common) {
+  std::error_code ignored;
+  const auto whole = [&](const fs::path &path) {
+    return fs::weakly_canonical(fs::absolute(path, ignored), ignored);
+  };
+  const fs::path stats = whole(common.stats);
+  const bool isResult = stats.extension() == fs::path(kResultsName).extension() ||
+                        stats.filename().string().starts_with(kVerdictPrefix);
+  if (!common.stats.empty() && isResult && stats.parent_path() == whole(folder + "/results").parent_path())
+    return Error::usage("--stats '" + common.stats + "' would be read as results of '" + folder +
+                        "'; give the figures another name, such as figures.json");
+  return checkFiguresApart(common.stats, folder + "/" + kResultsName);
+}
+
 Expected<void> makeResultsFolder(const std::string &folder, const CommonOptions &common) {
-  for (const char *own : {kResultsName, "report.html", "report.csv", kCacheFolder, kPictureFolder})
+  VOXC_TRY(checkFiguresNoResults(folder, common));
+  for (const char *own : {"report.html", "report.csv", kCacheFolder, kPictureFolder})
     VOXC_TRY(checkFiguresApart(common.stats, folder + "/" + own));
   return makeOutputFolder(folder);
 }

@@ -158,7 +158,7 @@ typedef struct voxc_format_table voxc_format_table;
 
 /* Predicts what formats take and how fast they are, and builds none. Input and its options are those of
  * voxc_build_input, with a resolution of 512 by default. Errors: those of inputs; a text that is no format;
- * no format that takes so few bytes. */
+ * no format that takes so few bytes; a device that is not there and was never measured. */
 VOXC_API voxc_error *voxc_suggest(const char *input, const voxc_input_options *input_options,
                                   const voxc_choice_options *options, voxc_format_table **table);
 /* Builds and measures those formats that promise most, for so many seconds. What it learns of the device is
@@ -223,8 +223,9 @@ VOXC_API voxc_error *voxc_editable_set_voxels(voxc_editable *editable, const int
 VOXC_API voxc_error *voxc_editable_paste(voxc_editable *editable, const voxc_volume *volume,
                                          const int32_t low[3]);
 /* Each voxel of a box becomes what `function` says of it. Within `function`, and within that of a progress,
- * editing, compacting or following this volume is an error, and a restore does nothing; it must not be freed
- * there, and states from before may be viewed. */
+ * editing, compacting, following or framing this volume is an error, and a restore does nothing; a snapshot
+ * is of the state that the edit began with. It must not be freed there, and states from before may be viewed.
+ */
 VOXC_API voxc_error *voxc_editable_apply(voxc_editable *editable, const int32_t low[3], const int32_t size[3],
                                          uint32_t (*function)(void *user, int32_t x, int32_t y, int32_t z,
                                                               uint32_t word),
@@ -266,11 +267,11 @@ VOXC_API voxc_error *voxc_tracer_create(const voxc_volume *volume, const voxc_tr
                                         voxc_tracer **tracer);
 
 /* Makes a tracer go on with an editable volume as it is now: one of the volume that the editable was made of,
- * or that followed it before. Only words that are others since then are copied to a device; `copied_bytes`
- * may be null. No other tracer may follow the same editable. A tracer of "cpu" reads the words that edits
- * change: it must not trace while an edit runs; one of a voxc_editable_view may. Errors: an editable of
- * another format, which changes nothing; the device has no room or fails, after which the tracer can only be
- * freed. */
+ * or that followed it before. Only words that are others since then are copied to a device, all after an
+ * update; `copied_bytes` may be null. No other tracer may follow the same editable. A tracer of "cpu" reads
+ * the words that edits change: it must not trace while an edit runs; one of a voxc_editable_view may. Errors:
+ * an editable of another format, which changes nothing; the device has no room or fails, after which the
+ * tracer can only be freed. */
 VOXC_API voxc_error *voxc_tracer_follow(voxc_tracer *tracer, voxc_editable *editable, uint64_t *copied_bytes);
 
 typedef struct voxc_picture_options {
@@ -302,7 +303,7 @@ typedef struct voxc_picture_options {
 /* A picture by a tracer of the closest hits with voxel, t and colour: rows from the top, RGBA8 with R in the
  * low byte, as many as width times height. Errors: a tracer of another query or without colours; a style or
  * view that there is not; an eye without a point; a box that holds nothing; cuts for a tracer without bounds;
- * those of tracing. */
+ * those of tracing. Using the tracer within the progress is an error there. */
 VOXC_API voxc_error *voxc_render(voxc_tracer *tracer, const voxc_picture_options *options, uint32_t *pixels);
 
 #ifdef __cplusplus

@@ -72,6 +72,8 @@ private:
 
   /// Before any is copied: what stands for the brightest is the same in all meshes.
   void measureColours() {
+    if (pathEnding(input_.path) != ".off")
+      return; // Others say fractions; above 1 is light that is too bright.
     for (unsigned i = 0; i < from_.mNumMeshes; ++i) {
       const aiMesh &mesh = *from_.mMeshes[i];
       for (unsigned j = 0; mesh.HasVertexColors(0) && j < mesh.mNumVertices; ++j) {

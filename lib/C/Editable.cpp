@@ -15,9 +15,12 @@ using namespace voxc::c;
 struct voxc_editable {
   EditableVolume volume;
   mutable const char *running = nullptr; ///< What calls functions of the caller, as "an edit"; null: nothing.
+  EditableVolume::Snapshot before = {};  ///< The state that an edit which calls them began with.
 };
 
 namespace {
+
+constexpr const char *kEdit = "an edit";
 
 Int3 int3(const int32_t values[3]) { return {values[0], values[1], values[2]}; }
 
@@ -40,13 +43,14 @@ private:
 Expected<void> checkIdle(const voxc_editable *editable) {
   if (!editable->running)
     return {};
-  return Error::usage(std::string(editable->running) +
-                      " of this volume is running, whose function must not edit, compact or follow it");
+  return Error::usage(
+      std::string(editable->running) +
+      " of this volume is running, whose function must not edit, compact, follow or frame it");
 }
 
 Expected<void> edit(voxc_editable *editable, const std::unique_ptr<VoxelChange> &change) {
   VOXC_TRY(checkIdle(editable));
-  const Running running(editable, "an edit");
+  const Running running(editable, kEdit);
   VOXC_TRY(editable->volume.apply(*change));
   return {};
 }
@@ -102,13 +106,16 @@ voxc_error *voxc_editable_apply(voxc_editable *editable, const int32_t low[3], c
                                                      uint32_t word),
                                 void *user) {
   return guarded([&] {
+    if (!editable->running)
+      editable->before = editable->volume.snapshot();
     const auto voxel = [&](Int3 at, std::uint32_t word) { return function(user, at.x, at.y, at.z, word); };
     return edit(editable, makeFunctionChange(int3(low), int3(size), voxel));
   });
 }
 
 voxc_snapshot voxc_editable_snapshot(voxc_editable *editable) {
-  const auto snapshot = editable->volume.snapshot();
+  const bool isEdited = editable->running == kEdit;
+  const auto snapshot = isEdited ? editable->before : editable->volume.snapshot();
   return {snapshot.root, snapshot.voxels};
 }
 
@@ -133,6 +140,7 @@ voxc_error *voxc_editable_framed(voxc_editable *editable, const voxc_snapshot *f
   return guarded([&]() -> Expected<void> {
     if (count == 0)
       return Error::usage("a volume of no frames was asked for; name one state at least");
+    VOXC_TRY(checkIdle(editable));
     std::vector<EditableVolume::Snapshot> states;
     for (const voxc_snapshot &frame : std::span(frames, count))
       states.push_back(snapshotOf(frame));
@@ -163,16 +171,21 @@ voxc_error *voxc_editable_compact(const voxc_editable *editable, const voxc_buil
 voxc_error *voxc_tracer_follow(voxc_tracer *tracer, voxc_editable *editable, uint64_t *copied_bytes) {
   return guarded([&]() -> Expected<void> {
     VOXC_TRY(checkIdle(editable));
+    VOXC_TRY(c::checkIdle(*tracer));
     const auto volume = editable->volume.volume();
     VOXC_TRY(checkTakes(*tracer, *volume));
     const std::vector<WordRange> changes = editable->volume.takeChanges();
-    const auto followed = tracer->tracer->follow(*volume, changes);
+    const WordRange all{0, volume->words().size()};
+    const auto followed =
+        tracer->tracer->follow(*volume, tracer->isOther ? std::span(&all, 1) : std::span(changes));
     if (!followed) {
       editable->volume.putBackChanges(changes); // A tracer in place of this one lacks them.
       return followed.error();
     }
     tracer->volume = volume;
     tracer->follows = true;
+    if (volume->words()[0] != 0) // One that is empty has its head alone copied.
+      tracer->isOther = false;
     if (copied_bytes)
       *copied_bytes = followed->copiedBytes;
     return {};

@@ -41,6 +41,8 @@ struct voxc_tracer {
   std::string deviceName;
   unsigned threads = 0;
   bool follows = false; ///< The volume is an editable one, whose words change where they lie.
+  bool isOther = false; ///< It was given another volume: what an editable has not changed may differ too.
+  bool renders = false; ///< A picture is being made, whose progress calls the caller.
 };
 
 namespace voxc::c {
@@ -88,6 +90,9 @@ template <typename Options> Expected<Options> optionsOf(const Options *given) {
 }
 
 inline std::string textOr(const char *text, const char *fallback) { return text ? text : fallback; }
+
+/// Error (`Usage`): a picture of the tracer is being made, and what calls is its progress.
+Expected<void> checkIdle(const voxc_tracer &tracer);
 
 /// Error (`Usage`): the tracer is of another format than a volume that it shall take.
 Expected<void> checkTakes(const voxc_tracer &tracer, const Volume &volume);

@@ -19,6 +19,7 @@ template <std::size_t N> void copyText(char (&to)[N], const std::string &from) {
 }
 
 Expected<void> traceAll(voxc_tracer &tracer, const RaySpan &rays, voxc_hit *hits) {
+  VOXC_TRY(checkIdle(tracer));
   VOXC_TRY(tracer.tracer->trace(rays, std::span(reinterpret_cast<Hit *>(hits), rays.size())));
   return {};
 }
@@ -49,6 +50,12 @@ voxc_device_info infoOf(const DeviceInfo &device) {
 }
 
 } // namespace
+
+Expected<void> voxc::c::checkIdle(const voxc_tracer &tracer) {
+  return tracer.renders
+             ? Error::usage("a picture of this tracer is being made, whose progress must not use the tracer")
+             : Expected<void>();
+}
 
 Expected<void> voxc::c::checkTakes(const voxc_tracer &tracer, const Volume &volume) {
   const Volume &own = *tracer.volume;
@@ -118,10 +125,12 @@ void voxc_face_normal(uint32_t face, float normal[3]) {
 
 voxc_error *voxc_tracer_update(voxc_tracer *tracer, const voxc_volume *volume, uint64_t *copied_bytes) {
   return guarded([&]() -> Expected<void> {
+    VOXC_TRY(checkIdle(*tracer));
     VOXC_TRY(checkTakes(*tracer, *volume->volume));
     const auto updated = VOXC_TRY(updateTo(*tracer, *volume->volume));
     tracer->volume = volume->volume;
     tracer->follows = false;
+    tracer->isOther = true;
     if (copied_bytes)
       *copied_bytes = updated.copiedBytes;
     return {};

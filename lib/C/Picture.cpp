@@ -108,10 +108,23 @@ Expected<Camera> cameraOf(const voxc_picture_options &options, const Volume &vol
   return camera;
 }
 
+/// Marks a tracer whose picture is being made.
+class Busy {
+public:
+  explicit Busy(voxc_tracer &tracer) : tracer_(tracer) { tracer.renders = true; }
+  ~Busy() { tracer_.renders = false; }
+  Busy(const Busy &) = delete;
+  Busy &operator=(const Busy &) = delete;
+
+private:
+  voxc_tracer &tracer_;
+};
+
 } // namespace
 
 voxc_error *voxc_render(voxc_tracer *tracer, const voxc_picture_options *options, uint32_t *pixels) {
   return guarded([&]() -> Expected<void> {
+    VOXC_TRY(checkIdle(*tracer));
     const auto given = VOXC_TRY(optionsOf(options));
     const Question question = questionOf(tracer->format);
     if (!isOfHits(question.query) || !question.outputs.voxel || !question.outputs.t ||
@@ -142,6 +155,7 @@ voxc_error *voxc_render(voxc_tracer *tracer, const voxc_picture_options *options
     how.clip = clip.cutsNothing() ? nullptr : &clip;
     how.threads = tracer->threads;
     how.progress = progress.get();
+    const Busy busy(*tracer);
     const auto taken = VOXC_TRY(render(*tracer->volume, camera, {trace, trace}, how));
     std::ranges::copy(taken.picture.pixels, pixels);
     return {};

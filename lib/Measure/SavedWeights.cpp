@@ -5,6 +5,8 @@
 #include "voxc/Measure/Machine.h"
 #include "voxc/Support/File.h"
 #include "voxc/Support/UserCache.h"
+#include "voxc/Trace/CpuKernel.h"
+#include "voxc/Trace/Tracer.h"
 
 #include <algorithm>
 #include <cctype>
@@ -68,6 +70,14 @@ KnownSpeeds knownSpeedsOf(std::string_view name) {
       if (const auto model = modelOf(entry))
         return {*model, true};
   return {defaultSpeedModel(name), false};
+}
+
+Expected<void> checkSpeedsKnown(const std::string &name) {
+  if (name == cpuDeviceInfo().name || name == "llvmpipe" || knownSpeedsOf(name).isMeasured)
+    return {};
+  const Expected<Device> device = Device::open(name);
+  return device ? Expected<void>()
+                : Error{device.error().kind, device.error().message + "; and cpu, this processor"};
 }
 
 Expected<void> keepSpeedModel(const std::string &device, const SpeedModel &model) {

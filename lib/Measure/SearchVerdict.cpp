@@ -277,7 +277,7 @@ Expected<void> writeVerdict(const std::string &folder, const SearchVerdict &verd
     return {};
   Digest digest;
   digest.add(placeOf(**verdict.cells.begin()));
-  return writeFile(folder + "/verdict-" + digest.hex() + ".json", toJson(verdict).dump(2) + "\n");
+  return writeFile(folder + "/" + kVerdictPrefix + digest.hex() + ".json", toJson(verdict).dump(2) + "\n");
 }
 
 } // namespace voxc::measure

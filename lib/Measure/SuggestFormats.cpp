@@ -47,6 +47,7 @@ Expected<Wish> wishOf(const FormatQuestion &question) {
 Expected<FormatTable> suggestFormats(const SourceOpener &open, const FormatQuestion &question,
                                      const Progress &progress) {
   const auto wish = VOXC_TRY(measure::wishOf(question));
+  VOXC_TRY(measure::checkSpeedsKnown(question.device));
   const auto memory = question.memory ? question.memory : WorkingMemory::createDefault();
   auto scene = VOXC_TRY(readSearchScene(question.name, open, memory, progress));
   scene.traits.editable = question.editable;

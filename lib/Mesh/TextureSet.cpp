@@ -13,8 +13,10 @@ Expected<Texture> TextureSet::decode(std::span<const std::byte> bytes) {
 
 Expected<int> TextureSet::readFile(const std::string &path) {
   return read(path, path, [&](const Decode &decode) -> Expected<Texture> {
-    auto file = VOXC_TRY(WatchedFile::open(path, memory_));
-    return decode(file->bytes());
+    auto file = WatchedFile::open(path, memory_);
+    if (!file)
+      return Error::input(file.error().message); // Whatever the reason, a model can do without.
+    return decode((*file)->bytes());
   });
 }
 

@@ -16,10 +16,10 @@ namespace {
 constexpr std::uint64_t kRunBytes = std::uint64_t{64} << 20;
 
 /// What a byte of the file may stand for in a stream that has more elements than there are voxels: attributes
-/// and coarse blocks have fewer, and frames compress less.
+/// and coarse blocks have fewer.
 constexpr std::uint64_t kMostPerStoredByte = 1024;
-/// A stream of so many bytes is decoded whatever it takes in the file.
-constexpr std::uint64_t kSmallBytes = std::uint64_t{1} << 20;
+/// Streams of so many bytes are decoded whatever they take in the file, and frames too, which can repeat.
+constexpr std::uint64_t kSmallBytes = std::uint64_t{1} << 20, kFrameBytes = kMostFrames * sizeof(Frame);
 
 /// Decodes one stream after the other.
 class StreamDecoder {
@@ -106,7 +106,7 @@ Expected<Volume> PagedReading::proved() const {
     if (!isProved(told.name))
       continue;
     // Of frames there may be more than of voxels, whose number is not known yet.
-    if (told.name != kWordStream && claimsTooMuch(told, 0))
+    if (told.name != kWordStream && told.bytes > kFrameBytes && claimsTooMuch(told, 0))
       return tooMuch(name_, told);
     auto block = VOXC_TRY(decoder.decode(i));
     streams.push_back(streamOf(told, block));

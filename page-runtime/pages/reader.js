@@ -7,10 +7,12 @@ function readPages(volume, digest, unzstd) {
   const onTheirWay = new Set();
   let queue = [], requests = 0, mostGap = GAP_BYTES, isOpen = false;
 
+  // The head of an answer and, of a part, its bytes, on whose way a line can break too.
   async function answer(from, to) {
     for (let left = TRIES; ; left--)
       try {
-        return await fetch(url, { headers: { Range: `bytes=${from}-${to - 1}` }, cache: "no-store" });
+        const told = await fetch(url, { headers: { Range: `bytes=${from}-${to - 1}` }, cache: "no-store" });
+        return [told, told.status === 206 ? new Uint8Array(await told.arrayBuffer()) : []];
       } catch (problem) {
         if (left <= 1) throw new Error(`${name} cannot be read at ${url}: there is no such server, it is down, or it does not let this page read from it`);
         await sleep(500);
@@ -18,7 +20,7 @@ function readPages(volume, digest, unzstd) {
   }
 
   async function range(from, to) {
-    const told = await answer(from, to), total = Number((told.headers.get("Content-Range") || "").split("/")[1]);
+    const [told, read] = await answer(from, to), total = Number((told.headers.get("Content-Range") || "").split("/")[1]);
     if (told.status === 200) {
       told.body?.cancel();
       throw new Error(`the server sends the whole of ${name} where a part of it was asked for: put it on a server that answers HTTP range requests`);
@@ -26,7 +28,6 @@ function readPages(volume, digest, unzstd) {
     if (told.status !== 206 && told.status !== 416) throw new Error(`${name} cannot be read: the server answers ${told.status} ${told.statusText}`);
     if (total && total !== fileBytes)
       throw new Error(`${name} has ${total} bytes, and the volume of this page has ${fileBytes}: it was cut short, or is another`);
-    const read = told.status === 206 ? new Uint8Array(await told.arrayBuffer()) : [];
     if (read.length !== to - from) throw new Error(`${name} is cut short: of its bytes ${from} to ${to - 1} there are ${read.length}`);
     return read;
   }

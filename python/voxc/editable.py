@@ -81,7 +81,8 @@ class Editable:
 
     @in_turn
     def apply(self, low: Sequence[int], size: Sequence[int], function: Callable[[int, int, int, int], int]) -> None:
-        """Each voxel of a box becomes what `function(x, y, z, word)` says of it, which must not edit this volume itself."""
+        """Each voxel of a box becomes what `function(x, y, z, word)` says of it, which must not edit this volume itself,
+        nor use a `Tracer` with a picture whose progress uses this volume: each would wait for the other."""
         raised: list = []
 
         def voxel(_: Any, x: int, y: int, z: int, word: int) -> int:

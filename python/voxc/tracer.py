@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Iterable, List, Optional, Tuple, Union
 import numpy as np
 
 from . import _library as c
-from ._turns import in_turn
+from ._turns import both_in_turn, in_turn
 from .arrays import bounds_of, rays_of
 from .format import list_of
 from .picture import Picture
@@ -136,11 +136,12 @@ class Tracer:
     default the best of Vulkan, or the cpu where there is none. `query` is "closest", "any", "occupancy" or "distance";
     `outputs` names what is stored of the closest hit, of voxel, t, face and colour; `precision` is "exact" or "fast".
     With `bounds` its one kernel is for rays with bounds; without, that is a second one, made when such rays come. Of
-    several threads that use one, each waits for the others."""
+    several threads that use one, each waits for the others; the progress of a picture must not use it."""
 
     def __init__(self, volume: Volume, device: Optional[str] = None, *, threads: Optional[int] = None, query: Optional[str] = None,
                  outputs: Names = None, precision: Optional[str] = None, passes: Names = None, bounds: bool = False) -> None:
-        self._lock = threading.RLock()  # Whoever takes that of an Editable too takes it first.
+        self._lock = threading.RLock()
+        self._is_rendering = False
         self._volume = volume
         self._options = dict(device=c.text(device), threads=threads, query=c.text(query), outputs=list_of(outputs),
                              precision=c.text(precision), passes=list_of(passes))
@@ -155,6 +156,10 @@ class Tracer:
     def _create(self, bounds: int) -> Any:
         options = c.options(c.TracerOptions, bounds=bounds, **self._options)
         return c.make(c.lib.voxc_tracer_create, _handle_of(self._volume, "Volume"), ctypes.byref(options))
+
+    def _check_idle(self) -> None:
+        if self._is_rendering:
+            raise RuntimeError("a picture of this tracer is being made, whose progress must not use the tracer")
 
     def __del__(self) -> None:
         handles = [getattr(self, name, None) for name in ("_handle", "_bounded_handle")]
@@ -172,6 +177,7 @@ class Tracer:
         directions, of which one may be a single one for all, or an array of RAY or BOUNDED_RAY alone. `tmin` and `tmax`,
         a number for all or one for each ray, are the bounds between which voxels are looked for; the kernel for rays
         with bounds is compiled when it is first asked for."""
+        self._check_idle()
         rays = _rays(origins, directions, tmin, tmax)
         hits = np.zeros(rays.shape, HIT)
         if rays.dtype == RAY:
@@ -186,6 +192,7 @@ class Tracer:
         """Takes another volume of the same format, such as an edited one, in place of its own. Only what differs is brought
         to the device, or all in place of an `Editable` that was followed; returns how many bytes that was. A volume of
         another format takes a tracer of its own: `volume.tracer()`."""
+        self._check_idle()
         given = _handle_of(volume, "Volume")
         copied = ctypes.c_uint64()
         total = 0
@@ -202,7 +209,8 @@ class Tracer:
         same one. On the cpu it reads the words that edits change: no other thread may edit while it traces, unless what it
         traces is a `view`."""
         given, copied = _handle_of(editable, "Editable"), ctypes.c_uint64()
-        with editable._lock, self._lock:
+        with both_in_turn(self, editable):
+            self._check_idle()
             state = editable.view()
             c.check(c.lib.voxc_tracer_follow(self._handle, given, ctypes.byref(copied)))
             self._volume = state
@@ -220,6 +228,7 @@ class Tracer:
         and each of `clip_planes`, (nx, ny, nz, d), cuts away where nx x + ny y + nz z is less than d; inner voxels show
         at a cut, and the kernel for rays with bounds is compiled when cuts are first asked for. `orthographic` pictures
         are made by parallel rays, and show `view_height` voxels from bottom to top."""
+        self._check_idle()
         reporter = c.Reporter(progress)
         eye, look, box = _point(eye, "eye"), _point(look, "look"), _clip_box(clip_box)
         planes, plane_count = _clip_planes(clip_planes)
@@ -232,5 +241,9 @@ class Tracer:
             raise ValueError(f"a picture has 1 to 32768 pixels on each axis, not {width} x {height}")
         pixels = np.empty((height, width, 4), np.uint8)
         handle = self._handle if box is None and planes is None else self._bounded()
-        reporter.call(c.lib.voxc_render, handle, ctypes.byref(options), pixels.ctypes.data)
+        self._is_rendering = True
+        try:
+            reporter.call(c.lib.voxc_render, handle, ctypes.byref(options), pixels.ctypes.data)
+        finally:
+            self._is_rendering = False
         return pixels.view(Picture)

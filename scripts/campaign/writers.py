@@ -89,7 +89,7 @@ WRITERS = {
     "bench": Writer(["bench", "builtin:terrain:64", "--formats", "R(2^3) G(4);G(6);S(6)", "--devices", "cpu", "--size", "64x48",
                      "--repeat", "1", "-o", "{out}/sweep", "--retry"], ["sweep/*.jsonl"], compared=cells, goes_on=True,
                     children=True),
-    "search": Writer(["search", "builtin:terrain:64", "--resolution", "64", "--budget", "1s", "--formats", "{in}/formats.txt",
+    "search": Writer(["search", "builtin:terrain:64", "--resolution", "64", "--budget", "60s", "--formats", "{in}/formats.txt",
                       "--check", "0", "--size", "64x48", "--device", "cpu", "-o", "{out}/search"], ["search/*.jsonl"],
                      compared=nothing, goes_on=True, children=True),
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <string_view>
 
@@ -73,10 +74,11 @@ std::optional<Camera> parsePoints(std::string_view text, const glm::dvec3 &defau
   return Camera{.eye = *eye, .look = *look, .up = *up};
 }
 
-/// Of a number; what is none CLI11 tells.
+/// Of a number, which may follow a blank and a plus; what is none CLI11 tells.
 std::string problemOfFov(const std::string &text) {
-  const auto degrees = parseNumber<double>(text);
-  return !degrees || (*degrees > 0 && *degrees < 180)
+  char *end = nullptr;
+  const double degrees = std::strtod(text.c_str(), &end);
+  return end == text.c_str() || (degrees > 0 && degrees < 180)
              ? ""
              : "should lie between 0 and 180 degrees, not at " + text;
 }

@@ -26,15 +26,15 @@ std::string wholeName(const std::string &name) {
 }
 
 /// What may name a file in what an option was given: it begins at once, or behind a kind or a name, and ends
-/// before the number of a frame or a place.
+/// before the number of a frame or a place, or before options of its own.
 std::vector<std::string> namesIn(const std::string &written) {
   std::vector<std::string> names;
   for (std::size_t begin = 0; begin != std::string::npos;) {
     for (std::size_t end = begin; end != std::string::npos;) {
-      end = written.find_first_of("#@", end + 1);
+      end = written.find_first_of("#@ ", end + 1);
       names.push_back(written.substr(begin, end == std::string::npos ? end : end - begin));
     }
-    begin = written.find_first_of(":=", begin);
+    begin = written.find_first_of(":= ", begin);
     begin += begin == std::string::npos ? 0 : 1;
   }
   std::erase(names, "");

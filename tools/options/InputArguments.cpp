@@ -152,10 +152,11 @@ std::string decoded(std::string_view word) {
 
 void fillFromProvenance(InputArguments &arguments, std::string_view provenance) {
   arguments.isAutomatic = arguments.isAutomatic && valueOf(provenance, "coverage").empty();
+  const bool isSized = arguments.resolution != 0 || !arguments.voxelSize.empty();
   const std::vector<int> resolution = parseNumbers<int>(valueOf(provenance, "resolution"));
-  if (arguments.resolution == 0 && resolution.size() == 1)
+  if (!isSized && resolution.size() == 1)
     arguments.resolution = resolution.front();
-  if (arguments.voxelSize.empty() && arguments.align.empty()) {
+  if (!isSized && arguments.align.empty()) {
     arguments.voxelSize = decoded(valueOf(provenance, "voxel-size"));
     arguments.align = parseNumbers<double>(valueOf(provenance, "align"));
   }

@@ -27,12 +27,12 @@ Expected<void> checkOutputFile(const std::string &path) {
 
 Expected<void> checkOutput(const std::string &path, const CommonOptions &common) {
   if (path != "-") {
-    VOXC_TRY(checkFiguresApart(common.stats, path));
-    return checkOutputFile(path);
+    VOXC_TRY(checkOutputFile(path));
+    return checkFiguresApart(common.stats, path);
   }
   if (common.stats == "-")
     return Error::usage("data and figures cannot both go to standard output; give one of them a file");
-  return {};
+  return checkFiguresApart(common.stats, "/dev/stdout");
 }
 
 Expected<void> makeOutputFolder(const std::string &path) {

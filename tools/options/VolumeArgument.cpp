@@ -5,7 +5,8 @@
 #include "voxc/Construct/EditJournal.h"
 #include "voxc/Input/NumberedPaths.h"
 #include "voxc/Support/UserCache.h"
-#include "voxc/Volume/VolumeSummary.h"
+#include "voxc/Volume/CoarseBlocks.h"
+#include "voxc/Volume/Stream.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -73,12 +74,29 @@ Expected<void> VolumeArgument::leaveOtherFrames(const std::string &output,
   return {};
 }
 
-void VolumeArgument::noteLostAttributes(const Volume &loaded, const CommonOptions &common) const {
+SideStreams sideStreamsOf(const VolumeSummary &summary) {
+  SideStreams found;
+  for (const StreamSummary &stream : summary.streams) {
+    const bool isCoarse = coarseSideOf(stream.name).has_value();
+    found.coarseBlocks = found.coarseBlocks || isCoarse;
+    found.attributes =
+        found.attributes || (!isCoarse && stream.name != kWordStream && stream.name != kFrameStream);
+  }
+  return found;
+}
+
+void VolumeArgument::noteLostStreams(const Volume &loaded, const CommonOptions &common) const {
   if (common.quiet || loaded.streams().size() > 1 || checkNoJournal(path()))
     return;
   const auto summary = summarizeVolume(path());
-  if (summary && summary->streams.size() > 1)
-    printNote("warning: the attributes of '" + path() +
+  if (!summary)
+    return;
+  const SideStreams streams = sideStreamsOf(*summary);
+  const std::string lost = streams.attributes && streams.coarseBlocks ? "attributes and coarse blocks"
+                           : streams.attributes                       ? "attributes"
+                                                                      : "coarse blocks";
+  if (streams.attributes || streams.coarseBlocks)
+    printNote("warning: the " + lost + " of '" + path() +
               "' are of its voxels before the edits in its journal, and are left out");
 }
 

@@ -6,6 +6,7 @@
 #include "frontend/AttributeOptions.h"
 #include "frontend/PassOptions.h"
 #include "voxc/Volume/Frames.h"
+#include "voxc/Volume/VolumeSummary.h"
 
 #include <string>
 
@@ -13,6 +14,12 @@ namespace voxc::tool {
 
 /// The error of opening a volume; where the file is none, with what is done with other inputs.
 Error volumeFailure(Error error);
+
+/// What a file keeps of its voxels beside the words, which edits leave out.
+struct SideStreams {
+  bool attributes = false, coarseBlocks = false;
+};
+SideStreams sideStreamsOf(const VolumeSummary &summary);
 
 class VolumeArgument {
 public:
@@ -35,9 +42,9 @@ public:
   /// Before the frame that was asked for is written to a file: says which part of the volume that is, if it
   /// has others. Error (`Usage`): the file is the one that is read, and would lose them.
   Expected<void> leaveOtherFrames(const std::string &output, const CommonOptions &common) const;
-  /// Says of a volume that `load` gave that edits in its journal have taken its attributes away, if they
-  /// have.
-  void noteLostAttributes(const Volume &loaded, const CommonOptions &common) const;
+  /// Says of a volume that `load` gave that edits in its journal have taken its attributes or its coarse
+  /// blocks away, if they have.
+  void noteLostStreams(const Volume &loaded, const CommonOptions &common) const;
   /// Whether offsets were left unproven.
   bool trusted() const { return trusted_; }
   /// The format that a kernel of `volume` shall traverse. Error: options that do not go together.

@@ -197,6 +197,24 @@ TEST_F(AssimpMeshes, MetalAndRoughnessAreKept) {
   EXPECT_EQ(words(MaterialWords::Colours, base), rgba(0, 51, 255));
 }
 
+/// In a format that states fractions, one corner that is too bright does not darken the others.
+TEST_F(AssimpMeshes, ColladaColoursOfVertices) {
+  std::string file = collada("<technique sid=\"c\"><lambert/></technique>");
+  const auto insert = [&](const std::string &before, const std::string &text) {
+    file.insert(file.find(before), text);
+  };
+  insert("<vertices", "<source id=\"c\"><float_array id=\"ca\" count=\"12\">2.5 0.2 0 1 0.2 0 1 0.2 0 1 0.2 0"
+                      "</float_array><technique_common><accessor source=\"#ca\" count=\"4\" stride=\"3\">"
+                      "<param name=\"R\" type=\"float\"/><param name=\"G\" type=\"float\"/>"
+                      "<param name=\"B\" type=\"float\"/></accessor></technique_common></source>");
+  insert("<vcount>", "<input semantic=\"COLOR\" source=\"#c\" offset=\"0\"/>");
+  const Input input = open("m.dae", file);
+  const Voxels voxels = voxelsOf(*input.source);
+  EXPECT_EQ(voxels.size(), 2u);
+  for (const auto &[code, word] : voxels)
+    EXPECT_EQ(word & 0xff00u, rgba(0, 51, 0) & 0xff00u);
+}
+
 TEST_F(AssimpMeshes, OffFiles) {
   const Input input = open("m.off", "OFF\n4 1 0\n0 0 0\n2 0 0\n2 2 0\n0 2 0\n4 0 1 2 3\n");
   EXPECT_EQ(voxelsOf(*input.source).size(), 4u);

@@ -22,6 +22,10 @@ inline constexpr double kWorstUnmeasured = 1.8;
 /// search there left it; else the default one. A file that is broken is as good as none.
 KnownSpeeds knownSpeedsOf(std::string_view name);
 
+/// Whether speeds can be predicted of a device: "cpu", "llvmpipe", whose figures are the default, one that
+/// was measured, or one that is there. Error (`Environment`): none of that name.
+Expected<void> checkSpeedsKnown(const std::string &name);
+
 /// Keeps a model for a device of this full name. Without a folder for a cache, nothing is kept. Error:
 /// `Environment`.
 Expected<void> keepSpeedModel(const std::string &device, const SpeedModel &model);

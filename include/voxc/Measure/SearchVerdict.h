@@ -58,6 +58,9 @@ SearchVerdict makeSearchVerdict(const std::vector<const Record *> &cells,
                                 const std::function<bool(const Record &)> &isCompared,
                                 const std::string &objective);
 
+/// What the names of files that hold verdicts begin with.
+inline constexpr const char *kVerdictPrefix = "verdict-";
+
 /// Leaves a verdict in a folder for the page of `voxc bench report`: verdict-DIGEST.json, in the place of an
 /// earlier one on the same model, resolution, device and precision. Errors: as `writeText`.
 Expected<void> writeVerdict(const std::string &folder, const SearchVerdict &verdict);

@@ -23,6 +23,9 @@ struct Frame {
   friend bool operator==(const Frame &, const Frame &) = default;
 };
 
+/// How many an animation has at most where it is made.
+inline constexpr std::uint64_t kMostFrames = std::uint64_t{1} << 22;
+
 /// The frames of a volume, the first being the one that its words begin with; none of an ordinary volume.
 std::span<const Frame> framesOf(const Volume &volume);
 

@@ -122,6 +122,9 @@ Expected<Volume> EditableVolume::framed(const std::vector<Snapshot> &states) {
     MemoryBlock words;
     std::vector<Frame> frames;
   };
+  if (states.size() > kMostFrames)
+    return Error::usage("an animation has at most " + std::to_string(kMostFrames) + " frames, not " +
+                        std::to_string(states.size()));
   state_->store->seal();
   auto words = VOXC_TRY(state_->store->view(states.front().root));
   const auto held = std::make_shared<Held>(Held{std::move(words), {}});

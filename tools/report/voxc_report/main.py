@@ -8,7 +8,7 @@ import os
 import signal
 import sys
 
-from .catalogue import make_catalogue
+from .catalogue import make_catalogue, model_names
 from .csv_table import to_csv
 from .output import is_file, write
 from .page import bytes_of, make_page
@@ -29,7 +29,7 @@ def parse_arguments(words):
 
 
 def model_notes(arguments, records):
-    models = {record["model"]["name"] for record in records}
+    models = set(model_names(records))
     notes = {}
     for argument in arguments:
         name, equals, text = argument.partition("=")

@@ -95,6 +95,7 @@ Expected<Format> BuildSession::suggestFormat(const std::string &device, const Co
   told_ = std::move(suggestion.told);
   format_ = candidate.text;
   suggestedPasses_ = candidate.passes;
+  isSuggested_ = true;
   figures["format"] = candidate.text;
   if (!common.quiet)
     printNote("format: " + buildCommand(input_, inputArguments_, candidate));
@@ -294,7 +295,7 @@ Expected<void> BuildSession::buildFragment(Format &format, std::uint64_t index, 
   if (buildArguments_.compress)
     return Error::usage(
         "a fragment is not compressed; give --compress to the voxc merge that makes a volume of it");
-  if (!buildArguments_.maxBytes.empty())
+  if (!buildArguments_.maxBytes.empty() && !isSuggested_)
     return Error::usage(
         "--max-bytes bounds the words of a volume, which a fragment has not yet; leave it out");
   auto prepared = VOXC_TRY(prepare(format, common, progress, figures));

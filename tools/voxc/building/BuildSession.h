@@ -105,6 +105,7 @@ private:
   std::optional<Format> written_; ///< What FORMAT says, without passes.
   std::string input_;
   PassOptions passes_;
+  bool isSuggested_ = false;                 ///< The format, within the words that it may have.
   std::vector<std::string> suggestedPasses_; ///< In their place, of a format that was suggested.
   ToldSentences told_;                       ///< Of the input, while a format was suggested.
   PayloadOption payload_;

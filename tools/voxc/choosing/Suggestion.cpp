@@ -35,7 +35,9 @@ Expected<Suggestion> makeSuggestion(const SuggestRequest &request, const CommonO
   InputOptions options = sceneOptions(arguments, request.memory, progress);
   options.boxOfAllFrames = request.hasAllFrames;
   auto scene = VOXC_TRY(readScene(request.input, options, common, figures));
-  scene.traits.editable = request.editable;
+  scene.traits.editable = request.editable || request.hasAllFrames; // What excludes edits excludes frames.
+  if (request.hasAllFrames)
+    scene.traits.oneColour = scene.traits.visible = false; // Other frames may have others.
   auto candidates = VOXC_TRY(readCandidates(request.formatList, scene));
   auto rays = VOXC_TRY(readRaySets(request.rayFiles, scene));
   noteOtherSizes(candidates, scene, common);

@@ -193,9 +193,7 @@ private:
 
   /// What a reader of the journal will make otherwise of the volume or of the edits.
   Expected<void> noteWhatIsLost(const std::vector<VoxelEdit> &edits, const Format &format) const {
-    const auto summary = VOXC_TRY(summarizeVolume(volume_.path()));
-    if (summary.streams.size() > 1)
-      noteLostAttributes();
+    VOXC_TRY(noteLostStreams());
     const Rounding rounding = roundingOf(layoutOf(format).payload);
     for (std::size_t i = 0; rounding && i < edits.size(); ++i)
       if (isRounded(edits[i], rounding))
@@ -204,8 +202,15 @@ private:
     return {};
   }
 
-  static void noteLostAttributes() {
-    printNote("warning: what is edited has no attributes; voxc attach gives it new ones");
+  Expected<void> noteLostStreams() const {
+    const auto summary = VOXC_TRY(summarizeVolume(volume_.path()));
+    const SideStreams streams = sideStreamsOf(summary);
+    if (streams.attributes)
+      printNote("warning: what is edited has no attributes; voxc attach gives it new ones");
+    if (streams.coarseBlocks)
+      printNote(
+          "warning: what is edited has no coarse blocks; voxc export --compress --coarse makes new ones");
+    return {};
   }
 
   Expected<void> writeVolume(std::vector<VoxelEdit> edits) {
@@ -226,14 +231,16 @@ private:
           " frames, and edits change one; choose it by --frame N, and a file for that one alone by -o");
     VOXC_TRY(volume_.leaveOtherFrames(output_, common_));
     VOXC_TRY(checkEdits(edits, volume->info().extent)); // Alone: its message counts them.
-    auto waiting = VOXC_TRY(readJournal(volume_.path()));
+    const auto memory = makeWorkingMemory(arguments_);
+    auto waiting = VOXC_TRY(readJournal(volume_.path(), memory));
     edits.insert(edits.begin(), waiting.begin(), waiting.end());
-    if (volume->streams().size() > 1 && !common_.quiet)
-      noteLostAttributes();
+    if (!common_.quiet)
+      VOXC_TRY(noteLostStreams());
     ProgressBar bar(common_.quiet);
     Json figures;
-    if (Expected<void> edited = journal ? foldIn(*journal, volume, edits, bar.progress(), figures)
-                                        : edit(volume, edits, output_, bar.progress(), figures);
+    const BuildOptions options = optionsOf(*volume, edits.size(), memory, bar.progress());
+    if (Expected<void> edited = journal ? foldIn(*journal, volume, edits, options, figures)
+                                        : edit(volume, edits, output_, options, figures);
         !edited)
       return edited;
     bar.clear();
@@ -256,9 +263,19 @@ private:
            std::filesystem::exists(journalPathOf(volume_.path()), ignored);
   }
 
+  BuildOptions optionsOf(const Volume &volume, std::size_t edits, std::shared_ptr<WorkingMemory> memory,
+                         const Progress &progress) const {
+    BuildOptions options;
+    options.provenance = provenanceOf(volume, edits);
+    options.memory = std::move(memory);
+    options.compress = arguments_.compress;
+    options.progress = progress;
+    return options;
+  }
+
   /// Writes the file under another name first.
   Expected<void> foldIn(EditJournal &journal, const std::shared_ptr<const Volume> &volume,
-                        const std::vector<VoxelEdit> &edits, const Progress &progress, Json &figures) {
+                        const std::vector<VoxelEdit> &edits, const BuildOptions &options, Json &figures) {
     std::error_code failure;
     std::filesystem::path own = output_; // The file itself, where that is a link to it.
     if (std::filesystem::is_symlink(own, failure))
@@ -266,21 +283,16 @@ private:
     std::string folded = own.string() + ".folded";
     while (std::filesystem::exists(folded, failure)) // Of whomever that is.
       folded += "-";
-    VOXC_TRY(edit(volume, edits, folded, progress, figures));
+    VOXC_TRY(edit(volume, edits, folded, options, figures));
     VOXC_TRY(journal.fold(folded));
     addWritten(figures, output_);
     return {};
   }
 
   Expected<void> edit(const std::shared_ptr<const Volume> &volume, const std::vector<VoxelEdit> &edits,
-                      const std::string &path, const Progress &progress, Json &figures) {
+                      const std::string &path, BuildOptions options, Json &figures) {
     auto constructor = VOXC_TRY(Constructor::compile(volume->format(), compileCache()));
-    BuildOptions options;
-    options.provenance = provenanceOf(*volume, edits.size());
-    options.memory = makeWorkingMemory(arguments_);
     options.path = path;
-    options.compress = arguments_.compress;
-    options.progress = progress;
     auto built = VOXC_TRY(constructor.edit(volume, edits, options));
     loss_ = built.report.colourError;
     figures["edits"] = edits.size();

@@ -72,7 +72,7 @@ public:
     Expected<Volume> volume = volume_.load();
     if (!volume)
       return volume.error();
-    volume_.noteLostAttributes(*volume, common_);
+    volume_.noteLostStreams(*volume, common_);
     ProgressBar bar(common_.quiet);
     const Stopwatch watch;
     Json figures;

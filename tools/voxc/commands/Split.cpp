@@ -29,7 +29,8 @@ public:
       return Error::usage("'" + volume_.path() + "' has " + std::to_string(frames) +
                           " frames, and fragments hold one; choose it by --frame N");
     VOXC_TRY(volume_.leaveOtherFrames(output_, common_));
-    if (volume.streams().size() > 1 && !common_.quiet)
+    const auto summary = VOXC_TRY(summarizeVolume(volume_.path()));
+    if (sideStreamsOf(summary).attributes && !common_.quiet)
       printNote("warning: fragments have no attributes; voxc attach gives new ones to what they merge to");
     const FragmentChoice fragment = fragment_.choice().value_or(FragmentChoice{});
     ProgressBar bar(common_.quiet);

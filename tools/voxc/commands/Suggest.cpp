@@ -7,8 +7,6 @@
 #include "options/Figures.h"
 #include "program/Subcommand.h"
 #include "voxc/Measure/SavedWeights.h"
-#include "voxc/Trace/CpuKernel.h"
-#include "voxc/Trace/Tracer.h"
 
 #include <cstdio>
 
@@ -46,7 +44,7 @@ public:
   }
 
   Expected<void> run() override {
-    VOXC_TRY(checkDevice());
+    VOXC_TRY(measure::checkSpeedsKnown(request_.device));
     ProgressBar bar(common_.quiet);
     request_.wish = {objectiveOf(objective_),
                      std::min(maxWordsOf(buildArguments_), kMaxWords) * sizeof(std::uint32_t)};
@@ -61,16 +59,6 @@ public:
   }
 
 private:
-  /// Speeds would be told of a device that there is not. Those that nobody has measured are of llvmpipe.
-  Expected<void> checkDevice() const {
-    const std::string &name = request_.device;
-    if (name == cpuDeviceInfo().name || name == "llvmpipe" || measure::knownSpeedsOf(name).isMeasured)
-      return {};
-    const Expected<Device> device = Device::open(name);
-    return device ? Expected<void>()
-                  : Error{device.error().kind, device.error().message + "; and cpu, this processor"};
-  }
-
   SuggestRequest request_;
   std::string objective_ = "balanced";
   bool all_ = false;

@@ -114,6 +114,8 @@ Expected<void> VerifyCommand::checkVoxels(const std::shared_ptr<const Volume> &v
   fillFromProvenance(arguments, volume->info().provenance);
   if (!asked.fillColour.empty())
     asked.interior = arguments.interior; // To fill may have been asked for when the volume was built.
+  if (asked.resolution == 0 && asked.voxelSize.empty())
+    asked.voxelSize = arguments.voxelSize; // So may a size that has a unit.
   VOXC_TRY(checkInputArguments(asked, against_));
   InputOptions options = makeInputOptions(arguments, volume->format().extent());
   options.progress = progress;
