@@ -79,7 +79,7 @@ class Editing(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             path = folder + "/loop.hvx"
             editable.framed(states * 35000).save(path, compress=True)
-            self.assertEqual(voxc.open(path + "#70000").voxels, 7)
+            self.assertEqual(voxc.Volume.load(path, frame=70000).voxels, 7)
 
     def test_the_progress_of_a_compaction_edits_nothing(self):
         editable, made = voxc.Editable(full()), ctypes.c_void_p()
