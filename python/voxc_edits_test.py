@@ -144,7 +144,6 @@ class Following(unittest.TestCase):
         self.editable.clear((0, 0, 0), (12, 32, 32))
         self.tracer.follow(self.editable)
         self.tracer.update(other)
-        self.editable.clear((31, 31, 31), (1, 1, 1))
         self.tracer.follow(self.editable)
         self.assertEqual(self.tracer.trace(*self.RAY)["voxel"].tolist(), [12, 16, 16])
 
