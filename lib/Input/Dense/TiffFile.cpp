@@ -79,8 +79,11 @@ TiffPage tiffPage(TIFF *tiff) {
   page.photometric = tiffTag<std::uint16_t>(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
   page.planar = tiffTag<std::uint16_t>(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
   std::uint16_t *kinds = nullptr;
-  if (TIFFGetFieldDefaulted(tiff, TIFFTAG_EXTRASAMPLES, &page.extra, &kinds) == 1 && page.extra > 0 && kinds)
-    page.hasAlpha = kinds[0] == EXTRASAMPLE_ASSOCALPHA || kinds[0] == EXTRASAMPLE_UNASSALPHA;
+  if (TIFFGetFieldDefaulted(tiff, TIFFTAG_EXTRASAMPLES, &page.extra, &kinds) == 1 && page.extra > 0 &&
+      kinds) {
+    page.isPremultiplied = kinds[0] == EXTRASAMPLE_ASSOCALPHA;
+    page.hasAlpha = page.isPremultiplied || kinds[0] == EXTRASAMPLE_UNASSALPHA;
+  }
   page.isTiled = TIFFIsTiled(tiff) != 0;
   return page;
 }

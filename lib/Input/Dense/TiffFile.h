@@ -28,8 +28,9 @@ struct TiffPage {
   std::uint32_t width = 0, height = 0;
   std::uint16_t bits = 1, samples = 1, format = SAMPLEFORMAT_UINT;
   std::uint16_t photometric = PHOTOMETRIC_MINISBLACK, planar = PLANARCONFIG_CONTIG;
-  std::uint16_t extra = 0; ///< Samples that are no colours,
-  bool hasAlpha = false;   ///< the first of which is alpha.
+  std::uint16_t extra = 0;      ///< Samples that are no colours,
+  bool hasAlpha = false;        ///< the first of which is alpha.
+  bool isPremultiplied = false; ///< Colours are multiplied by it.
   bool isTiled = false;
 };
 

@@ -48,6 +48,19 @@ std::byte bitsAt(const std::byte *row, std::uint32_t i, unsigned bits) {
   return row[std::size_t{i} * bits / 8] >> shift & std::byte((1u << bits) - 1);
 }
 
+/// Colours that were multiplied by their alpha, as they were before.
+void divideByAlpha(std::span<std::byte> cells) {
+  for (std::size_t at = 0; at < cells.size(); at += 4) {
+    const auto alpha = std::to_integer<unsigned>(cells[at + 3]);
+    if (alpha == 0 || alpha == 255)
+      continue;
+    for (std::byte &level : cells.subspan(at, 3)) {
+      const unsigned whole = (std::to_integer<unsigned>(level) * 255 + alpha / 2) / alpha;
+      level = static_cast<std::byte>(std::min(255u, whole));
+    }
+  }
+}
+
 class TiffSlices final : public SliceReader {
 public:
   explicit TiffSlices(std::span<const std::byte> bytes) : memory_{bytes, 0, {}}, tiff_(openTiff(memory_)) {}
@@ -90,6 +103,9 @@ public:
       return Error::input("it is broken: " + memory_.problem);
     if (!slice_.isGrey && !page_.hasAlpha)
       clearBlack(target);
+    // libtiff multiplies all colours that it decodes itself.
+    if (!slice_.isGrey && page_.hasAlpha && (page_.isPremultiplied || !isPlainColour(page_)))
+      divideByAlpha(target);
     return {};
   }
 

@@ -128,7 +128,7 @@ private:
       std::array<std::uint32_t, 3> bytes{};
       for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t value = lasNumber<std::uint16_t>(row, colour_ + 2 * i);
-        bytes[i] = areBytes() ? value : (value * 255 + 32767) / 65535;
+        bytes[i] = areBytes() ? value : value >> 8; // A byte times 256, as the format has it, or times 257.
       }
       return opaque(bytes[0], bytes[1], bytes[2]);
     }

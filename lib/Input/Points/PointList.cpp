@@ -2,6 +2,7 @@
 #include "Input/Points/PointList.h"
 
 #include "Input/Points/PointColour.h"
+#include "Mesh/Ply/PlyBits.h"
 #include "Support/Text.h"
 
 #include <algorithm>
@@ -53,7 +54,6 @@ protected:
   bool areInvisible_ = false;         ///< Points have colours, and all of them an alpha of 0.
   std::uint64_t bytesBehind_ = 0;     ///< The last element of the file.
 
-private:
   const PlyHeader &header_;
 };
 
@@ -62,7 +62,7 @@ template <typename Stored, bool kSwap> double load(const char *bytes) {
   std::memcpy(raw.data(), bytes, raw.size());
   if constexpr (kSwap)
     std::reverse(raw.begin(), raw.end());
-  return static_cast<double>(std::bit_cast<Stored>(raw));
+  return widened(std::bit_cast<Stored>(raw));
 }
 
 /// A property of every row: writes it for `count` rows to every `step`th double.
@@ -177,7 +177,7 @@ public:
     while (hidden < vertices_.count && wordAt(table_.rows + hidden * table_.stride, row) < kLeastVisible)
       if (++hidden % kPointsBetweenLooks == 0 && progress.stopped())
         return Error::interrupted();
-    areInvisible_ = hidden > 0 && hidden == vertices_.count;
+    areInvisible_ = hidden > 0 && hidden == vertices_.count && !header_.hasWords;
     return {};
   }
 
@@ -245,7 +245,8 @@ public:
           return points_.push({{row.values[axes_[0]], row.values[axes_[1]], row.values[axes_[2]]}, word});
         }));
     bytesBehind_ = reader.bytesBehind();
-    areInvisible_ = colour_ && !colour_.areSplats() && hidden > 0 && hidden == points_.size();
+    areInvisible_ =
+        colour_ && !colour_.areSplats() && hidden > 0 && hidden == points_.size() && !header_.hasWords;
     for (std::uint64_t i = 0; areInvisible_ && i < points_.size(); ++i)
       points_[i].word |= kOpaque;
     return {};

@@ -1,6 +1,8 @@
 // Finding and packing the colours of PLY rows.
 #include "Mesh/Ply/PlyColour.h"
 
+#include "Mesh/Ply/PlyBits.h"
+
 #include <bit>
 #include <cmath>
 #include <string_view>
@@ -79,7 +81,7 @@ std::uint32_t PlyColour::unpacked(double value) const {
   const PlyProperty &property = element_.properties[*channels_[0]];
   const std::uint32_t word = isInteger(property.type)
                                  ? static_cast<std::uint32_t>(static_cast<std::int64_t>(value))
-                                 : std::bit_cast<std::uint32_t>(static_cast<float>(value));
+                                 : narrowedBits(value);
   const std::uint32_t alpha = property.name.size() == 4 ? word & 0xff000000 : 0xff000000;
   return alpha | (word & 255) << 16 | (word & 0xff00) | (word >> 16 & 255);
 }

@@ -110,13 +110,14 @@ bool parseProperty(const std::vector<std::string> &words, PlyHeader &header) {
 bool skipLine(const std::vector<std::string> &, PlyHeader &) { return true; }
 
 /// Names of images, which MeshLab puts into comments, may have blanks.
-void readTexture(std::string_view line, PlyHeader &header) {
+void readComment(std::string_view line, PlyHeader &header) {
   const std::string keyword = lowerCase(takeWord(line));
   const std::string word = lowerCase(takeWord(line));
   const bool isComment = keyword == "comment" || keyword == "obj_info";
   if (isComment && (word == "texturefile" || word == "texturefile:") &&
       header.textures.size() < kMostTextures)
     header.textures.emplace_back(trimmed(line));
+  header.hasWords = header.hasWords || (isComment && word == "voxc" && trimmed(line) == "words");
 }
 
 struct Keyword {
@@ -134,7 +135,7 @@ bool parseLine(const std::string &line, PlyHeader &header) {
   const std::vector<std::string> words = splitWords(line);
   if (words.empty())
     return true;
-  readTexture(line, header);
+  readComment(line, header);
   const auto keyword =
       std::find_if(kKeywords.begin(), kKeywords.end(), [&](const Keyword &k) { return k.word == words[0]; });
   return keyword != kKeywords.end() && keyword->parse(words, header);

@@ -40,6 +40,7 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
   std::vector<std::string> textures; ///< Images that comments "TextureFile NAME" name, in their order.
   std::vector<std::string> warnings; ///< One sentence each.
+  bool hasWords = false;             ///< voxc wrote it: colours are words, labels among them.
 
   /// The element with this name, or null.
   const PlyElement *find(std::string_view element) const;

@@ -1,6 +1,7 @@
 // Rows of ASCII and binary PLY files.
 #include "Mesh/Ply/PlyReader.h"
 
+#include "Mesh/Ply/PlyBits.h"
 #include "Support/Text.h"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ constexpr std::string_view kBlanks = " \t\r\n";
 template <typename Stored> double decode(const char *bytes) {
   Stored stored;
   std::memcpy(&stored, bytes, sizeof stored);
-  return static_cast<double>(stored);
+  return widened(stored);
 }
 
 /// In the order of `PlyType`.

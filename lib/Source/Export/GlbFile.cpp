@@ -81,9 +81,22 @@ std::vector<Transform> nodeMaps(const Transform &voxelToModel) {
   return {stretch, Transform(back[0], back[1], back[2], {})};
 }
 
+/// In glTF +y is up, as it is in voxels. Where those lead to a model whose +z is up, the model is turned.
+Transform withYUp(const Transform &voxelToModel) {
+  const glm::dvec3 up = voxelToModel[1];
+  if (!(up.z > std::abs(up.x) && up.z > std::abs(up.y)))
+    return voxelToModel;
+  Transform turned = voxelToModel;
+  for (int column = 0; column < 4; ++column) {
+    turned[column].y = voxelToModel[column].z;
+    turned[column].z = -voxelToModel[column].y;
+  }
+  return turned;
+}
+
 /// Each node is the child of the one before it; the last has the mesh.
 std::string nodesText(bool hasMesh, const Transform &voxelToModel) {
-  const auto maps = nodeMaps(isFinite(voxelToModel) ? voxelToModel : Transform());
+  const auto maps = nodeMaps(isFinite(voxelToModel) ? withYUp(voxelToModel) : Transform());
   std::string nodes;
   for (std::size_t i = 0; i < maps.size(); ++i) {
     const bool isLast = i + 1 == maps.size();

@@ -42,7 +42,8 @@ Expected<void> writePoints(const Volume &volume, OutputFile &file, const ExportO
     return true;
   };
   VOXC_TRY(decode(volume, add, progress));
-  const std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(count) +
+  const std::string header = "ply\nformat binary_little_endian 1.0\ncomment voxc words\nelement vertex " +
+                             std::to_string(count) +
                              "\nproperty int x\nproperty int y\nproperty int z\nproperty uchar red\n"
                              "property uchar green\nproperty uchar blue\nproperty uchar alpha\nend_header\n";
   Expected<void> written = file.write(header.data(), header.size());
