@@ -34,18 +34,20 @@ Expected<BuildReport> splitVolume(const Volume &volume, std::uint64_t index, std
                         "say which reflections leave them as they are; build the parts from the input");
   BuildReport report;
   MortonProgress steps(volume.info().extent, progress);
-  std::uint64_t part = begin;
-  for (; part < end; ++part) {
-    const Int3 low = mortonCell(part) * (1 << grid.log2Side);
-    if (!steps.at(low, report.voxels))
+  PartSequence parts(grid, begin, end, [&](const Cube &cube) {
+    const Lookup found = volume.lookup(cube.low);
+    return found.value == 0 && found.log2Side >= cube.log2Side;
+  });
+  while (const std::optional<Cube> part = parts.next()) {
+    if (!steps.at(part->low, report.voxels))
       return Error::interrupted();
-    const Fragment fragment = extraction.cube(low, grid.log2Side);
+    const Fragment fragment = extraction.cube(part->low, part->log2Side);
     if (isEmpty(fragment))
       continue;
     VOXC_TRY(writer.add(fragment));
     report.voxels += fragment.voxels;
   }
-  VOXC_TRY(writer.finish(part - begin));
+  VOXC_TRY(writer.finish(parts.looked()));
   report.seconds = watch.seconds();
   report.cpuSeconds = watch.cpuSeconds();
   return report;

@@ -118,6 +118,7 @@ Expected<Volume> Volume::load(const std::string &path, const LoadOptions &option
 }
 
 Expected<void> Volume::save(const std::string &path, const SaveOptions &options) const {
+  VOXC_TRY(checkNoJournal(path)); // Its edits would be of no file.
   if (!options.compress)
     return saveMapped(path);
   auto writer = PagedFileWriter::create(path);

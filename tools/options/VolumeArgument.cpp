@@ -2,7 +2,6 @@
 #include "options/VolumeArgument.h"
 
 #include "common/Interrupt.h"
-#include "voxc/Construct/EditJournal.h"
 #include "voxc/Input/NumberedPaths.h"
 #include "voxc/Support/UserCache.h"
 #include "voxc/Volume/CoarseBlocks.h"
@@ -100,24 +99,28 @@ void VolumeArgument::noteLostStreams(const Volume &loaded, const CommonOptions &
               "' are of its voxels before the edits in its journal, and are left out");
 }
 
-template <typename Load> Expected<Volume> VolumeArgument::loadBy(const Load &load) const {
-  const auto options = VOXC_TRY(loadOptions());
+template <typename Load>
+std::invoke_result_t<Load, LoadOptions> VolumeArgument::loadBy(std::shared_ptr<WorkingMemory> memory,
+                                                               const Load &load) const {
+  auto options = VOXC_TRY(loadOptions());
+  options.memory = std::move(memory);
   std::error_code ignored;
   if (!std::filesystem::exists(path(), ignored) && namesFiles(path()))
     return volumeFailure(Error::input("'" + path() + "' is not a .hvx volume"));
-  Expected<Volume> volume = load(options);
-  return volume ? std::move(volume) : volumeFailure(volume.error());
+  auto loaded = load(options);
+  if (!loaded)
+    return volumeFailure(loaded.error());
+  return loaded;
 }
 
-Expected<Volume> VolumeArgument::load() const {
-  return loadBy([this](const LoadOptions &options) { return loadEdited(path(), options, compileCache()); });
+Expected<Volume> VolumeArgument::load(std::shared_ptr<WorkingMemory> memory) const {
+  return loadBy(std::move(memory),
+                [this](const LoadOptions &options) { return loadEdited(path(), options, compileCache()); });
 }
 
-Expected<Volume> VolumeArgument::loadFile() const {
-  return loadBy([this](LoadOptions options) {
-    options.withoutJournal = true;
-    return Volume::load(path(), options);
-  });
+Expected<WaitingVolume> VolumeArgument::loadWaiting(std::shared_ptr<WorkingMemory> memory) const {
+  return loadBy(std::move(memory),
+                [this](const LoadOptions &options) { return voxc::loadWaiting(path(), options); });
 }
 
 Expected<Format> VolumeArgument::kernelFormat(const Volume &volume) const {

@@ -5,10 +5,13 @@
 #include "common/CommandLine.h"
 #include "frontend/AttributeOptions.h"
 #include "frontend/PassOptions.h"
+#include "voxc/Construct/EditJournal.h"
 #include "voxc/Volume/Frames.h"
 #include "voxc/Volume/VolumeSummary.h"
 
+#include <memory>
 #include <string>
+#include <type_traits>
 
 namespace voxc::tool {
 
@@ -31,9 +34,10 @@ public:
   void declareBounds(const CommandLine &command) { attributes_.declareBounds(command); }
 
   /// The volume, with the edits that wait in its journal.
-  Expected<Volume> load() const;
-  /// The volume as its file has it.
-  Expected<Volume> loadFile() const;
+  /// Decoded within the bound of `memory`; null: the default one.
+  Expected<Volume> load(std::shared_ptr<WorkingMemory> memory = nullptr) const;
+  /// The volume as its file has it, and those edits.
+  Expected<WaitingVolume> loadWaiting(std::shared_ptr<WorkingMemory> memory) const;
   std::string path() const { return withoutFrame(path_); }
   /// Which frame was asked for, from 1 on, by --frame or behind the path; 0: none.
   Expected<int> frame() const;
@@ -51,7 +55,9 @@ public:
   Expected<Format> kernelFormat(const Volume &volume) const;
 
 private:
-  template <typename Load> Expected<Volume> loadBy(const Load &load) const;
+  template <typename Load>
+  std::invoke_result_t<Load, LoadOptions> loadBy(std::shared_ptr<WorkingMemory> memory,
+                                                 const Load &load) const;
 
   std::string path_;
   int frame_ = 0;

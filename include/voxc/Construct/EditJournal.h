@@ -68,6 +68,14 @@ private:
 Expected<std::vector<VoxelEdit>> readJournal(const std::string &path,
                                              std::shared_ptr<WorkingMemory> memory = nullptr);
 
+/// A volume as its file has it, and the edits that wait for it, of one moment: other processes may put them
+/// into the file meanwhile. Errors: as `Volume::load` and `readJournal`.
+struct WaitingVolume {
+  Volume volume;
+  std::vector<VoxelEdit> edits;
+};
+Expected<WaitingVolume> loadWaiting(const std::string &path, const LoadOptions &options = {});
+
 /// A volume file with the edits of its journal. Errors: as `Volume::load`, `readJournal` and
 /// `EditableVolume`.
 Expected<Volume> loadEdited(const std::string &path, const LoadOptions &options = {},

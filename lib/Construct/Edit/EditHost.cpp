@@ -53,15 +53,16 @@ CubeChange EditHost::changeOf(const Cube &cube) {
 std::uint32_t EditHost::voxel(Int3 at, std::uint32_t old) {
   if (at.x >= extent_.x || at.y >= extent_.y || at.z >= extent_.z)
     return old;
-  const std::uint32_t word = checked(at, change_->voxel(at, old));
+  // Of a payload of one colour the words say only that there is a voxel; the change is told the colour.
+  const bool isOne = old != 0 && kindOf(facts_.payload).oneColour;
+  const std::uint32_t word = checked(at, change_->voxel(at, isOne ? proof_.colour() : old));
   more_ += (word != 0 ? 1 : 0) - (old != 0 ? 1 : 0);
   return word;
 }
 
 /// What the volume keeps of a voxel's word. A word that its format cannot keep fails the edit.
 std::uint32_t EditHost::checked(Int3 at, std::uint32_t word) {
-  const bool isOld = word == kOccupied && !proof_.keepsWords(); // A voxel that stays as it is.
-  if (word != 0 && !isOld && proof_.isNeeded())
+  if (word != 0 && proof_.isNeeded())
     if (auto problem = proof_.prove(at, word))
       store().fail(std::move(*problem));
   return proof_.kept(word);

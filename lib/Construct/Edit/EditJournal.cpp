@@ -120,16 +120,11 @@ Expected<Volume> edited(Volume volume, const std::vector<VoxelEdit> &edits, cons
 /// A volume file with the edits of its journal, and those that would be the next.
 Expected<Volume> loadWith(const std::string &path, const std::vector<VoxelEdit> &next,
                           const LoadOptions &options, const CompileCache *cache) {
-  LoadOptions loading = options;
-  loading.withoutJournal = true;
-  auto volume = Volume::load(path, loading);
-  if (!volume)
-    return volume;
-  auto edits = VOXC_TRY(readJournal(path, options.memory));
-  if (auto checked = checkEdits(edits, volume->info().extent); !checked)
+  auto [volume, edits] = VOXC_TRY(loadWaiting(path, options));
+  if (auto checked = checkEdits(edits, volume.info().extent); !checked)
     return Error::input("'" + journalPathOf(path) + "' is broken: " + checked.error().message);
   edits.insert(edits.end(), next.begin(), next.end());
-  return edits.empty() ? std::move(volume) : edited(std::move(*volume), edits, options, cache);
+  return edits.empty() ? std::move(volume) : edited(std::move(volume), edits, options, cache);
 }
 
 } // namespace
@@ -155,8 +150,8 @@ Expected<EditJournal> EditJournal::open(const std::string &volumePath) {
     return Error::input("'" + volumePath +
                         "' has frames, which a journal cannot tell apart; --frame N with -o edits one of "
                         "them, and writes that one alone");
-  const auto identity =
-      VOXC_TRY(summary ? journal::identityOf(volumePath) : Expected<journal::Identity>(summary.error()));
+  if (!summary)
+    return summary.error();
   const std::string path = journalPathOf(volumePath);
   EditJournal journal(volumePath, path, ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
   if (journal.file_ < 0)
@@ -165,6 +160,11 @@ Expected<EditJournal> EditJournal::open(const std::string &volumePath) {
     return Error::environment("another process writes '" + path + "'; try again when it has ended");
   if (!hasName(journal.file_, path))
     return open(volumePath);
+  // Until it was locked another process may have put its edits into the file.
+  const auto identity = VOXC_TRY(journal::identityOf(volumePath));
+  summary = summarizeVolume(volumePath);
+  if (!summary)
+    return summary.error();
   auto text = VOXC_TRY(readAll(journal.file_, path));
   const auto contents = VOXC_TRY(contentsFor(volumePath, std::as_bytes(std::span(text.data(), text.size()))));
   journal.info_ = std::move(summary->info);
@@ -251,6 +251,23 @@ Expected<std::vector<VoxelEdit>> readJournal(const std::string &volumePath,
       if (auto parsed = journal::parseEdits(record.bytes, memory, edits); !parsed)
         return Error::input("'" + path + "' is broken: " + parsed.error().message);
   return edits;
+}
+
+Expected<WaitingVolume> loadWaiting(const std::string &path, const LoadOptions &options) {
+  LoadOptions loading = options;
+  loading.withoutJournal = true;
+  for (;;) {
+    const auto before = journal::identityOf(path);
+    auto volume = VOXC_TRY(Volume::load(path, loading));
+    auto edits = readJournal(path, options.memory);
+    // Edits that another process has put into the file meanwhile are in neither.
+    const auto now = journal::identityOf(path);
+    if (before && now && *before != *now)
+      continue;
+    if (!edits)
+      return edits.error();
+    return WaitingVolume{std::move(volume), std::move(*edits)};
+  }
 }
 
 Expected<Volume> loadEdited(const std::string &path, const LoadOptions &options, const CompileCache *cache) {

@@ -48,7 +48,7 @@ public:
 
   Expected<void> run() override {
     VOXC_TRY(checkOutputFile(output_));
-    auto loaded = VOXC_TRY(volume_.load());
+    auto loaded = VOXC_TRY(volume_.load(makeWorkingMemory(arguments_)));
     volume_.noteLostStreams(loaded, common_);
     std::shared_ptr<const Volume> volume = std::make_shared<const Volume>(std::move(loaded));
     if (framesOf(*volume).size() > 1 && !common_.quiet)

@@ -180,7 +180,8 @@ private:
     Expected<EditJournal> journal = EditJournal::open(volume_.path());
     if (!journal)
       return volumeFailure(journal.error());
-    const auto options = VOXC_TRY(volume_.loadOptions());
+    auto options = VOXC_TRY(volume_.loadOptions());
+    options.memory = makeWorkingMemory(arguments_);
     VOXC_TRY(journal->append(edits, options, compileCache()));
     if (!common_.quiet)
       VOXC_TRY(noteWhatIsLost(edits, journal->volume().format));
@@ -215,7 +216,10 @@ private:
 
   Expected<void> writeVolume(std::vector<VoxelEdit> edits) {
     std::optional<EditJournal> journal; // Held, so that no edit comes to it meanwhile.
-    if (!replaces()) {
+    const Expected<bool> isReplaced = replaces();
+    if (!isReplaced)
+      return volumeFailure(isReplaced.error());
+    if (!*isReplaced) {
       VOXC_TRY(checkOutputFile(output_));
     } else {
       Expected<EditJournal> opened = EditJournal::open(volume_.path());
@@ -223,7 +227,8 @@ private:
         return volumeFailure(opened.error());
       journal.emplace(std::move(*opened));
     }
-    auto loaded = VOXC_TRY(volume_.loadFile());
+    const auto memory = makeWorkingMemory(arguments_);
+    auto [loaded, waiting] = VOXC_TRY(volume_.loadWaiting(memory));
     const auto volume = std::make_shared<const Volume>(std::move(loaded));
     if (!framesOf(*volume).empty())
       return Error::usage(
@@ -231,8 +236,6 @@ private:
           " frames, and edits change one; choose it by --frame N, and a file for that one alone by -o");
     VOXC_TRY(volume_.leaveOtherFrames(output_, common_));
     VOXC_TRY(checkEdits(edits, volume->info().extent)); // Alone: its message counts them.
-    const auto memory = makeWorkingMemory(arguments_);
-    auto waiting = VOXC_TRY(readJournal(volume_.path(), memory));
     edits.insert(edits.begin(), waiting.begin(), waiting.end());
     if (!common_.quiet)
       VOXC_TRY(noteLostStreams());
@@ -256,11 +259,16 @@ private:
       printNote("lossy: " + errorText(*loss_));
   }
 
-  /// True if the volume takes the place of the one that is read, which has a journal.
-  bool replaces() const {
+  /// True if the volume takes the place of the one that is read, by that name or through links; another hard
+  /// link is a file of its own. A volume of frames has no journal, which would keep others from editing it.
+  Expected<bool> replaces() const {
     std::error_code ignored;
-    return std::filesystem::equivalent(volume_.path(), output_, ignored) &&
-           std::filesystem::exists(journalPathOf(volume_.path()), ignored);
+    if (!std::filesystem::equivalent(volume_.path(), output_, ignored) ||
+        std::filesystem::weakly_canonical(journalPathOf(volume_.path()), ignored) !=
+            std::filesystem::weakly_canonical(journalPathOf(output_), ignored))
+      return false;
+    const auto summary = VOXC_TRY(summarizeVolume(volume_.path()));
+    return std::ranges::find(summary.streams, kFrameStream, &StreamSummary::name) == summary.streams.end();
   }
 
   BuildOptions optionsOf(const Volume &volume, std::size_t edits, std::shared_ptr<WorkingMemory> memory,
