@@ -123,8 +123,12 @@ class Following(unittest.TestCase):
         tracer = editable.view().tracer("cpu")
         tracer.follow(editable)
         editable.clear((0, 0, 0), (8, 8, 8))
-        hit = tracer.trace([[-1, 4.5, 4.5]], [[1, 0, 0]], tmin=0)
-        self.assertEqual(hit["voxel"].tolist(), [[0, 4, 4]])
+        for bounds in ({"tmin": 0}, {}):
+            hit = tracer.trace([[-1, 4.5, 4.5]], [[1, 0, 0]], **bounds)
+            self.assertEqual(hit["voxel"].tolist(), [[0, 4, 4]])
+        tracer.follow(editable)
+        self.assertEqual(tracer.trace([[-1, 4.5, 4.5]], [[1, 0, 0]])["voxel"].tolist(), [[-1, -1, -1]])
+        self.assertIn("<table>", editable.view()._repr_html_())
 
     def test_another_volume_takes_the_place_of_one_that_is_followed(self):
         self.needs_a_device()

@@ -42,7 +42,10 @@ Surface cutSurface(const Ray &ray, const Hit &hit, const Surface &surface, const
   if (!entry.plane || double(hit.t) - entry.t > double(glm::length(spacing)))
     return surface;
   Surface cut;
-  const glm::vec3 towardsEye = -glm::normalize(glm::vec3(entry.plane->normal));
+  // Divided by its largest part first: what is very long or short has a length that is no float.
+  const glm::dvec3 &normal = entry.plane->normal;
+  const double largest = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
+  const glm::vec3 towardsEye(-glm::normalize(normal / largest));
   const glm::vec3 point = vectorOf(ray.origin) + vectorOf(ray.direction) * float(entry.t);
   cut.point = point * spacing;
   cut.normal = glm::normalize(towardsEye / spacing);

@@ -37,13 +37,12 @@ def page_of(volume: Volume, title: Optional[str]) -> Page:
         return Page(page.read_text(encoding="utf-8"))
 
 
-def picture_html(volume: Volume, png: bytes) -> str:
-    """A picture beside a table."""
+def picture_html(volume: Volume, png: Optional[bytes]) -> str:
+    """A picture, if there is one, beside a table."""
     rows = {"format": volume.format, "extent": " × ".join(map(str, volume.extent)), "voxels": f"{volume.voxels:,}",
             "bytes": f"{volume.bytes:,}"}
     if volume.voxels:
         rows["bits a voxel"] = f"{8 * volume.bytes / volume.voxels:.2f}"
     table = "".join(f"<tr><th style='text-align:left'>{name}</th><td>{html.escape(value)}</td></tr>" for name, value in rows.items())
-    image = base64.b64encode(png).decode()
-    return (f"<div style='display:flex;gap:1em;align-items:center'><img alt='the volume' width='480' "
-            f"src='data:image/png;base64,{image}'><table>{table}</table></div>")
+    image = "" if png is None else f"<img alt='the volume' width='480' src='data:image/png;base64,{base64.b64encode(png).decode()}'>"
+    return f"<div style='display:flex;gap:1em;align-items:center'>{image}<table>{table}</table></div>"

@@ -55,7 +55,7 @@ def _rays(origins: Any, directions: Any, tmin: Any, tmax: Any) -> np.ndarray:
         kind = getattr(origins, "dtype", None)
         if kind not in (RAY, BOUNDED_RAY):
             raise ValueError("rays are origins and directions, or an array of voxc.RAY or voxc.BOUNDED_RAY alone; there are no directions")
-        given = np.ascontiguousarray(origins, dtype=kind)
+        given = np.asarray(origins, dtype=kind, order="C")
         if not is_bounded:
             return given
         if kind == BOUNDED_RAY:
@@ -205,14 +205,17 @@ class Tracer:
 
     def follow(self, editable: Editable) -> int:
         """Goes on with an `Editable` as it is now, which was made of the volume of this tracer, or followed by it before. Only
-        what changed since then is brought to the device; returns how many bytes that was. No other tracer may follow the
-        same one. On the cpu it reads the words that edits change: no other thread may edit while it traces, unless what it
-        traces is a `view`."""
+        what changed since then is brought to the device; returns how many bytes that was. Later edits show when it follows
+        again. No other tracer may follow the same one."""
         given, copied = _handle_of(editable, "Editable"), ctypes.c_uint64()
         with both_in_turn(self, editable):
             self._check_idle()
+            editable._begin_edit()
             state = editable.view()
-            c.check(c.lib.voxc_tracer_follow(self._handle, given, ctypes.byref(copied)))
+            if self.device == "cpu":  # It reads words where they lie, and those of a view stay as they are.
+                c.check(c.lib.voxc_tracer_update(self._handle, state._handle, ctypes.byref(copied)))
+            else:
+                c.check(c.lib.voxc_tracer_follow(self._handle, given, ctypes.byref(copied)))
             self._volume = state
             if self._bounded_handle and self._bounded_handle.value != self._handle.value:
                 c.lib.voxc_tracer_free(self._bounded_handle)

@@ -192,7 +192,9 @@ class Volume:
         """A page on which one moves through it in any browser (docs/web-page.md), made by the program voxc."""
         return page_of(self, title)
 
-    def _repr_png_(self) -> builtins.bytes:
+    def _repr_png_(self) -> Optional[builtins.bytes]:
+        if self.voxels == 0:
+            return None
         if self._png is None:
             self._png = png_of(self.render(480, 320, device="cpu"))
         return self._png

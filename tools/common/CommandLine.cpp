@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
 #include <cstdint>
 
 namespace voxc::tool {
@@ -70,17 +71,31 @@ std::vector<std::string> Option::choices() const {
   }
 }
 
+namespace {
+
+/// For CLI11 NaN lies in all ranges.
+std::string problemOfNan(const std::string &text) {
+  double number = 0;
+  const bool isNan = CLI::detail::lexical_cast(text, number) && std::isnan(number);
+  return isNan ? "should be a number, not " + text : "";
+}
+
+} // namespace
+
 template <typename Number> Option Option::between(Number least, Number most) const {
+  option_->check(problemOfNan);
   option_->check(CLI::Range(least, most).description(""));
   return *this;
 }
 
 Option Option::positive() const {
+  option_->check(problemOfNan);
   option_->check(CLI::PositiveNumber.description(""));
   return *this;
 }
 
 Option Option::notNegative() const {
+  option_->check(problemOfNan);
   option_->check(CLI::NonNegativeNumber.description(""));
   return *this;
 }

@@ -7,6 +7,7 @@
 
 #include <glm/trigonometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -85,11 +86,20 @@ Expected<void> checkPictureOptions(const PictureOptions &options) {
   if (options.normals != "auto" && !kind.needsNormals)
     return Error::usage("--normals is for the styles lit, ao and normals; the style " +
                         std::string(toString(kind.style)) + " has no use for them");
-  if (isOrthographic(options.camera) && (options.lod > 0 || options.coarse > 0))
-    return Error::usage("--lod and --allow-coarse go by what looks small from afar, and by parallel rays "
-                        "nothing does; leave out --orthographic and --view-height");
+  if (!std::ranges::all_of(options.sun, [](double angle) { return std::isfinite(angle); }))
+    return Error::usage("the angles of --sun should be finite numbers");
+  if (isOrthographic(options.camera))
+    VOXC_TRY(checkLens(options, {.orthographicHeight = 1}));
   Expected<Camera> camera = makeCamera(options.camera, {1, 1, 1});
   return camera ? Expected<void>() : camera.error();
+}
+
+Expected<void> checkLens(const PictureOptions &options, const Camera &camera) {
+  if (!camera.isOrthographic() || (options.lod == 0 && options.coarse == 0))
+    return {};
+  return Error::usage("--lod and --allow-coarse go by what looks small from afar, and by parallel rays "
+                      "nothing does; leave out --orthographic and --view-height, or take a camera of the "
+                      "file that has no height");
 }
 
 glm::dvec3 sunOf(const PictureOptions &options) {

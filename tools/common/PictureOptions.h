@@ -34,6 +34,10 @@ void addViewOptions(const CommandLine &command, PictureOptions &options);
 /// Errors: `Usage`; `Input`, a camera file that is missing or broken.
 Expected<void> checkPictureOptions(const PictureOptions &options);
 
+/// Refuses what goes by how small things look for a camera of parallel rays, which a file may have. Error:
+/// `Usage`.
+Expected<void> checkLens(const PictureOptions &options, const Camera &camera);
+
 /// Towards the sun.
 glm::dvec3 sunOf(const PictureOptions &options);
 

@@ -142,6 +142,7 @@ Expected<RenderSession::Warning> RenderSession::takeOne(const Volume &volume, co
                                                         PictureRays &rays, Json &figures) const {
   Laps laps;
   const auto placed = VOXC_TRY(rays.findCamera(picture_, volume));
+  VOXC_TRY(checkLens(picture_, placed.camera));
   figures["camera_seconds"] = laps.next();
   const auto taken = VOXC_TRY(rays.take(volume, placed, options));
   figures["picture_seconds"] = laps.next();
@@ -169,6 +170,7 @@ Expected<RenderSession::Warning> RenderSession::takeFlight(const Volume &volume,
     FileCamera place = flight_.camera(frame);
     const auto camera =
         VOXC_TRY(makeCamera(picture_.camera, place, volume.info().extent, volume.info().voxelToModel));
+    VOXC_TRY(checkLens(picture_, camera));
     place.fov = camera.verticalFov; // As --fov says, if it does.
     const auto before = rays.paging();
     const auto taken = VOXC_TRY(rays.take(volume, PlacedCamera{camera}, ofFrame));
