@@ -109,9 +109,7 @@ Expected<void> ModelFrame::place(const FrameOptions &options, const glm::dvec3 &
   const glm::dvec3 point = options.align ? turned(*options.align, options.zUp) : low;
   for (int axis = 0; axis < 3; ++axis) {
     origin_[axis] = point[axis] + std::floor((low[axis] - point[axis]) / side + kRounding) * side;
-    const double width = (high[axis] - origin_[axis]) / side;
-    const double voxels =
-        options.isHalfOpen ? std::floor(width + kRounding) + 1 : std::ceil(width - kRounding);
+    const double voxels = std::ceil((high[axis] - origin_[axis]) / side - kRounding);
     extent_[axis] = static_cast<std::int32_t>(std::clamp(voxels, 1.0, 2147483647.0));
   }
   if (!fits(extent_, options.maxExtent))

@@ -37,7 +37,6 @@ struct FrameOptions {
   bool zUp = false; ///< Turns the model's +z to +y.
   double voxelSize =
       0; ///< The side of a voxel in model units, in place of a resolution; 0: by the resolution.
-  bool isHalfOpen = false; ///< What lies on the far face of voxels of this side begins one more.
   /// A point of the model, in its own axes, that planes between voxels go through on each axis.
   std::optional<glm::dvec3> align;
 };

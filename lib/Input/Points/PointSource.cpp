@@ -102,8 +102,7 @@ public:
       return *problem;
     const Bounds box = chosen(bounds.bounds().value_or(Bounds{}));
     const auto side = VOXC_TRY(voxelSide(options_, 0));
-    FrameOptions choice{box, options_.resolution, modelExtent(options_), options_.zUp, side};
-    choice.isHalfOpen = side > 0 && !options_.bounds; // Bounds that were asked for are closed.
+    FrameOptions choice{box, options_.resolution, modelExtent(options_), options_.zUp, side, {}};
     if (options_.align)
       choice.align = glm::dvec3((*options_.align)[0], (*options_.align)[1], (*options_.align)[2]);
     const auto frame = VOXC_TRY(ModelFrame::fit(choice));

@@ -45,7 +45,6 @@ def vox(size, cells):
 floats = ["float x", "float y", "float z"]
 (folder / "white.las").write_bytes(las([255, 200, 128, 1]))
 (folder / "packed.ply").write_bytes(ply([*floats, "float rgb"], [(0, 0, 0, 0x008a1020), (3, 0, 0, 0xff8a1020)], "3fI"))
-(folder / "row.ply").write_bytes(ply([*floats, "uchar red", "uchar green", "uchar blue"], [(i, 0, 0, i + 1, 0, 0) for i in range(8)], "3f3B"))
 (folder / "associated.tif").write_bytes(tiff(1, bytes((128, 0, 0, 128, 255, 0, 0, 255))))
 (folder / "other.tif").write_bytes(tiff(2, bytes((255, 0, 0, 128, 255, 0, 0, 255))))
 (folder / "tower.vox").write_bytes(vox((2, 2, 8), [(x, y, z) for x in range(2) for y in range(2) for z in range(8)]))

@@ -52,7 +52,9 @@ def find_model(record):
     """The input as the command named it, and its options: its own, and those of the whole command that they do not replace."""
     words = words_of(record["made_by"]["command"])
     common = input_options(words)
-    for word in words:
+    named = [word for word in words if word.startswith(record["model"]["name"] + "=")]
+    others = [word for word in words if "=" not in word.split("/")[0]]
+    for word in [*named, *others, *words]:  # Models of several names can be files of one.
         if found := split_model(word, record["model"]):
             own = input_options(found[1])
             replaced = set(map(option_name, own))

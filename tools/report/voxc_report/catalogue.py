@@ -166,15 +166,26 @@ def make_entries(records):
     return entries
 
 
+def rays_names(entries):
+    """For each entry what its rays are called. Those of one name that differ, such as a camera's at two sizes, do not compete."""
+    known, names = {}, []
+    for entry in entries:
+        rays = entry.record["rays"]
+        digests = known.setdefault((entry.model, entry.resolution, rays_title(rays)), {})
+        number = digests.setdefault(rays["digest"], len(digests) + 1)
+        names.append(rays_title(rays) + (f" ({number})" if number > 1 else ""))
+    return names
+
+
 def name_columns(entries):
     """A column is a model, with its rays where it has several."""
-    rays = {}
-    for entry in entries:
+    rays, names = {}, rays_names(entries)
+    for entry, name in zip(entries, names):
         if entry.record["rays"]["name"]:
-            rays.setdefault(entry.model, set()).add(rays_title(entry.record["rays"]))
-    for entry in entries:
+            rays.setdefault(entry.model, set()).add(name)
+    for entry, name in zip(entries, names):
         has_several = len(rays.get(entry.model, ())) > 1
-        entry.column = f"{entry.model}, {rays_title(entry.record['rays'])}" if has_several else entry.model
+        entry.column = f"{entry.model}, {name}" if has_several else entry.model
 
 
 def common_passes_of(entries):

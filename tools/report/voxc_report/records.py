@@ -159,13 +159,14 @@ def locate_picture(record, folder):
 
 
 def read_folders(folders):
-    """The records of all folders in the order in which their cells first came; of two of the same cell the later counts."""
+    """The records of all folders in the order in which their cells first came; of two of the same cell and processor the later
+    counts."""
     cells = {}
     for folder in folders:
         for name in names_in(folder, lambda name: name.endswith(".jsonl")):
             for record in read_file(os.path.join(folder, name)):
                 locate_picture(record, folder)
-                cells[record["cell"]] = record
+                cells[record["cell"], record["made_by"]["processor"]] = record
     if not cells:
         raise Problem("there are no records; a folder should hold .jsonl files of voxc bench")
     return list(cells.values())
