@@ -31,19 +31,26 @@ std::vector<Numbers> deal(const Jobs &jobs, std::size_t level, Numbers numbers, 
   return dealt;
 }
 
+/// Numbers of a command; Linux takes words of less than 128 KiB.
+constexpr std::size_t kMostNumbers = 8192;
+
 /// Runs a level; returns the first failure of a process, if there was one.
 Expected<void> runLevel(const Jobs &jobs, std::size_t level, const Numbers &missing, unsigned processes,
                         const JobWatch &watch) {
   const auto lists = deal(jobs, level, missing, processes);
   std::vector<Expected<void>> outcomes(lists.size());
   const auto runList = [&](std::size_t i) {
-    const std::string numbers = cluster::numberListText(lists[i]);
-    const auto report = runChild(jobs.command(level, numbers), watch.progress.silent(), [] {});
-    if (!report)
-      outcomes[i] = report.error();
-    else if (!report->succeeded)
-      outcomes[i] =
-          Error::environment(jobs.itemName(level) + " of " + numbers + " failed: " + report->failure);
+    for (std::size_t at = 0; at < lists[i].size() && outcomes[i]; at += kMostNumbers) {
+      const auto begin = lists[i].begin() + static_cast<std::ptrdiff_t>(at);
+      const auto count = static_cast<std::ptrdiff_t>(std::min(kMostNumbers, lists[i].size() - at));
+      const std::string numbers = cluster::numberListText(Numbers(begin, begin + count));
+      const auto report = runChild(jobs.command(level, numbers), watch.progress.silent(), [] {});
+      if (!report)
+        outcomes[i] = report.error();
+      else if (!report->succeeded)
+        outcomes[i] =
+            Error::environment(jobs.itemName(level) + " of " + numbers + " failed: " + report->failure);
+    }
   };
   std::vector<std::jthread> threads;
   for (std::size_t i = 0; i < lists.size(); ++i) {

@@ -8,6 +8,7 @@
 #include "options/Outputs.h"
 #include "voxc/Measure/RecordFile.h"
 
+#include <filesystem>
 #include <set>
 
 namespace voxc::tool {
@@ -35,6 +36,11 @@ public:
 
   Expected<void> run() override {
     VOXC_TRY(checkFiguresNoResults(folder_, common_));
+    std::error_code ignored;
+    if (std::filesystem::exists(output_ + "/pack-001", ignored))
+      return Error::usage("'" + output_ +
+                          "' has packs of an earlier export, which would be taken for pieces of "
+                          "the new ones; name another folder, or remove them");
     const auto records = VOXC_TRY(readRecords(folder_));
     VOXC_TRY(makeOutputFolder(output_));
     PackWriter packs(output_, packMegabytes_ * 1000000);

@@ -102,7 +102,7 @@ void printSummary(const std::vector<Cell> &cells) {
   std::vector<std::string> titles;
   std::map<std::string, std::vector<const Record *>> tables;
   for (const Cell &cell : cells) {
-    const std::string title = titleOf(cell.record);
+    const std::string title = titleOf(cell.record) + cell.record.rays.digest; // Others may have their name.
     auto &table = tables[title];
     if (table.empty())
       titles.push_back(title);

@@ -92,8 +92,8 @@ public:
   static Expected<Volume> load(const std::string &path, const LoadOptions &options = {});
 
   /// Writes a .hvx file under a temporary name and renames it: `path` is whole, or unchanged. Errors:
-  /// `Input`, edits wait for the volume of that name; `Environment`; of a compressed one also that `path` is a
-  /// pipe, or interrupted.
+  /// `Input`, edits wait for the volume of that name; `Environment`; of a compressed one also that `path` is
+  /// a pipe, or interrupted.
   Expected<void> save(const std::string &path, const SaveOptions &options = {}) const;
 
   const VolumeInfo &info() const;
