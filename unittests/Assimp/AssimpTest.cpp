@@ -199,7 +199,8 @@ TEST_F(AssimpMeshes, MetalAndRoughnessAreKept) {
 
 /// In a format that states fractions, one corner that is too bright does not darken the others.
 TEST_F(AssimpMeshes, ColladaColoursOfVertices) {
-  std::string file = collada("<technique sid=\"c\"><lambert/></technique>");
+  std::string file = collada(
+      "<technique sid=\"c\"><lambert><diffuse><color>1 1 1 1</color></diffuse></lambert></technique>");
   const auto insert = [&](const std::string &before, const std::string &text) {
     file.insert(file.find(before), text);
   };
