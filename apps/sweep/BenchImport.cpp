@@ -1,11 +1,11 @@
 // voxc bench import: takes in what another machine found when it traced the packs of a sweep.
 #include "sweep/BenchActions.h"
 #include "sweep/SampleCheck.h"
+#include "sweep/Sweep.h"
 
 #include "common/Files.h"
 #include "common/Statistics.h"
 #include "options/Figures.h"
-#include "sweep/Sweep.h"
 #include "voxc/Measure/RecordFile.h"
 #include "voxc/Support/File.h"
 

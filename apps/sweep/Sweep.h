@@ -33,8 +33,7 @@ struct SweepOptions {
 };
 
 /// Refuses figures that would be taken for results: those of a folder are all its .jsonl files, which hold
-/// records, and its verdicts of searches.
-/// Error: `Usage`.
+/// records, and its verdicts of searches. Error: `Usage`.
 Expected<void> checkFiguresNoResults(const std::string &folder, const CommonOptions &common);
 
 /// Makes the folder of results if it is not there. Errors: `Usage`, the figures would go over what a sweep or
