@@ -1,28 +1,23 @@
 // The content of an input, with the files that it refers to.
 #include "jobs/InputContent.h"
 
+#include "options/InputArguments.h"
+#include "voxc/IR/Limits.h"
 #include "voxc/Input/NumberedPaths.h"
 #include "voxc/Measure/Digest.h"
-#include "voxc/Support/File.h"
-#include "voxc/Support/NumberedPath.h"
 #include "voxc/Volume/Volume.h"
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <map>
-#include <span>
+#include <set>
 #include <string_view>
+#include <utility>
 
 namespace voxc::tool {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Inputs whose text names other files, and those among the others whose text does.
-constexpr std::array<std::string_view, 4> kReferring = {".obj", ".gltf", ".nhdr", ".mtl"};
-constexpr std::size_t kMostCompanions = 10000;
-constexpr int kDeepest = 4;
 
 /// Inputs whose path may be a pattern of numbered files, and the most of these.
 constexpr std::array<std::string_view, 4> kNumbered = {".png", ".vox", ".tif", ".tiff"};
@@ -35,74 +30,26 @@ bool endsWith(const fs::path &path, std::span<const std::string_view> endings) {
   return std::ranges::find(endings, ending) != endings.end();
 }
 
-bool refers(const fs::path &path) { return endsWith(path, kReferring); }
-
-/// The files of a folder and of those below it, by path so that their order is always the same.
-std::map<std::string, bool> filesBelow(const fs::path &folder) {
-  std::map<std::string, bool> files;
-  std::error_code failure;
-  fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, failure), end;
-  for (; !failure && entry != end && files.size() < kMostCompanions; entry.increment(failure)) {
-    if (entry.depth() >= kDeepest)
-      entry.disable_recursion_pending();
-    std::error_code ignored;
-    if (entry->is_regular_file(ignored))
-      files.emplace(entry->path().string(), false);
-  }
-  return files;
-}
-
-/// Whether a text has a pattern, such as slice%03d.raw, that a file's name is one of.
-bool namesByPattern(const std::string &text, const std::string &name) {
-  for (std::size_t at = text.find('%'); at != std::string::npos; at = text.find('%', at + 1)) {
-    const std::size_t begin = text.find_last_of(" \t\n/", at) + 1;
-    const auto pattern = NumberedPath::parse(text.substr(begin, text.find_first_of(" \t\r\n", at) - begin));
-    if (!pattern || !name.starts_with(pattern->before()) || !name.ends_with(pattern->after()) ||
-        name.size() <= pattern->before().size() + pattern->after().size())
-      continue;
-    const std::size_t digits = name.size() - pattern->before().size() - pattern->after().size();
-    if (name.find_first_not_of("0123456789", pattern->before().size()) >= pattern->before().size() + digits)
-      return true;
-  }
-  return false;
-}
-
-/// The other files of a pair, header and samples, that are there.
-std::vector<std::string> partnersOf(const std::string &path) {
-  constexpr std::array<std::string_view, 4> kPair{".hdr", ".img", ".hdr.gz", ".img.gz"};
-  std::vector<std::string> partners;
-  for (const std::string_view own : kPair)
-    for (const std::string_view other : kPair) {
-      const std::string stem = path.ends_with(own) ? path.substr(0, path.size() - own.size()) : "";
-      std::error_code ignored;
-      if (!stem.empty() && own != other && fs::exists(stem + std::string(other), ignored))
-        partners.push_back(stem + std::string(other));
-    }
-  return partners;
-}
-
-/// Lists what `path` names among the files that were not listed yet, and what these name.
-Expected<void> addCompanions(const std::string &path, std::map<std::string, bool> &files,
-                             std::vector<ContentFile> &content) {
-  const auto text = VOXC_TRY(readTextFile(path));
-  for (auto &[companion, added] : files) {
-    const std::string name = fs::path(companion).filename().string();
-    if (added || (text.find(name) == std::string::npos && !namesByPattern(text, name)))
-      continue;
-    added = true;
-    content.push_back({name, companion});
-    if (refers(companion))
-      VOXC_TRY(addCompanions(companion, files, content));
-  }
-  return {};
-}
-
 bool isPrefixed(const std::string &input) { return input.starts_with("grid:") || input.starts_with("raw:"); }
 
 /// Where the path does not say it all: the size of a grid, and the ending that tells the kind, with a frame's
 /// number.
 std::string kindOf(const std::string &input) {
   return isPrefixed(input) ? input.substr(0, input.rfind(':')) : fs::path(input).extension().string();
+}
+
+/// What the content of an input names. Nothing but its own reader knows that, so it is opened, at the least
+/// cost.
+Expected<std::vector<std::string>> filesNamedBy(const std::string &input) {
+  constexpr int kMostSide = 1 << kMaxLog2Extent;
+  InputArguments coarsest;
+  coarsest.resolution = 1;
+  coarsest.isAutomatic = false;
+  const InputOptions options = makeInputOptions(coarsest, {kMostSide, kMostSide, kMostSide});
+  if (!mayHaveSeveralFiles(input, options))
+    return std::vector<std::string>();
+  auto opened = VOXC_TRY(openInput(input, options));
+  return std::move(opened.files);
 }
 
 } // namespace
@@ -117,7 +64,8 @@ std::string fileOf(const std::string &input) {
   return isFrame ? input.substr(0, mark) : input;
 }
 
-Expected<std::vector<ContentFile>> contentFiles(const std::string &input) {
+Expected<std::vector<ContentFile>> contentFiles(const std::string &input,
+                                                std::span<const std::string> named) {
   std::vector<ContentFile> content;
   if (input.starts_with("builtin:"))
     return content;
@@ -129,17 +77,15 @@ Expected<std::vector<ContentFile>> contentFiles(const std::string &input) {
     return content;
   }
   content.push_back({kindOf(input), path});
-  for (const std::string &partner : partnersOf(path))
-    content.push_back({fs::path(partner).extension().string(), partner});
   std::error_code ignored;
   if (const std::string journal = journalPathOf(path); fs::exists(journal, ignored))
     content.push_back({"journal", journal}); // Its edits are of what a volume holds.
-  if (refers(path)) {
-    const fs::path folder = fs::path(path).parent_path();
-    auto files = filesBelow(folder.empty() ? "." : folder);
-    files[path] = true;
-    VOXC_TRY(addCompanions(path, files, content));
-  }
+  // By their names first, which stay the same where a folder is moved; each once.
+  std::set<std::pair<std::string, std::string>> others;
+  for (const std::string &other : named)
+    others.emplace(fs::path(other).filename().string(), fs::absolute(other).lexically_normal().string());
+  for (const auto &[name, other] : others)
+    content.push_back({name, other});
   return content;
 }
 
@@ -147,7 +93,8 @@ Expected<std::string> contentDigest(const std::string &input) {
   measure::Digest digest;
   if (input.starts_with("builtin:"))
     return digest.add(input).hex();
-  const auto files = VOXC_TRY(contentFiles(input));
+  const auto named = VOXC_TRY(filesNamedBy(input));
+  const auto files = VOXC_TRY(contentFiles(input, named));
   for (const ContentFile &file : files) {
     digest.add(file.name);
     VOXC_TRY(digest.addFile(file.path));

@@ -3,6 +3,7 @@
 
 #include "voxc/Support/Error.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,15 +16,15 @@ struct ContentFile {
 };
 
 /// The files of an input, its own first, in an order that is always the same; none of what is built in.
-/// Error: `Input` if one cannot be read.
-Expected<std::vector<ContentFile>> contentFiles(const std::string &input);
+/// `named` are those that its content names, as `Input::files` has them. Error: `Input` if a pattern has no
+/// file.
+Expected<std::vector<ContentFile>> contentFiles(const std::string &input, std::span<const std::string> named);
 
 /// The path in "grid:WxHxD:FILE" and "raw:WxHxD:TYPE:FILE", or the input itself.
 std::string fileOf(const std::string &input);
 
 /// Digest of an input's content: its file, or all that its pattern names, a volume's journal, and the files
-/// beside and below it whose names stand in it, as those of an .obj's materials and textures do. Error:
-/// `Input` if the file cannot be read.
+/// that are read with it, as an .obj's materials and textures. Error: `Input` if a file cannot be read.
 Expected<std::string> contentDigest(const std::string &input);
 
 } // namespace voxc::tool

@@ -74,7 +74,7 @@ private:
     auto opened = VOXC_TRY(building_.open(format, common_, progress, figures));
     BuildPlan plan;
     plan.format = storageFormat(format);
-    VOXC_TRY(nameInput(plan, opened.arguments));
+    VOXC_TRY(nameInput(plan, opened));
     VOXC_TRY(checkVolume(plan));
     plan.volume = volume_.empty() ? fs::path(output_).filename().replace_extension(".hvx").string()
                                   : fs::absolute(volume_).lexically_normal().string();
@@ -110,16 +110,16 @@ private:
     return {};
   }
 
-  Expected<void> nameInput(BuildPlan &plan, const InputArguments &arguments) const {
+  Expected<void> nameInput(BuildPlan &plan, const BuildSession::Opened &opened) const {
     plan.input = absoluteInput(building_.input());
-    const auto files = VOXC_TRY(contentFiles(plan.input));
+    const auto files = VOXC_TRY(contentFiles(plan.input, opened.input.files));
     for (const ContentFile &file : files) {
       const auto digest = VOXC_TRY(fileDigest(file.path));
       if (file.path.find('\n') != std::string::npos)
         return Error::input("'" + file.path + "' has a line break in its name, which a plan cannot hold");
       plan.files.push_back({digest, file.path});
     }
-    for (const std::string &word : toWords(arguments))
+    for (const std::string &word : toWords(opened.arguments))
       plan.options.push_back(word == "--crop" ? "crop=yes" : word.substr(2));
     return {};
   }

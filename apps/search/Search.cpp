@@ -18,6 +18,7 @@
 #include "voxc/Measure/SavedWeights.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -49,6 +50,7 @@ private:
     return error.kind == ErrorKind::Interrupted && !progress_.stopped();
   }
   Error tooShort(const std::string &meanwhile) const;
+  Error tooSlow(const Acquisition &rated) const;
   Expected<void> search(Scene &scene, Json &figures);
   Expected<void> measureElsewhere(const Explored &explored, const std::vector<Candidate> &seeds,
                                   bench::SweepAxes &axes, Json &figures);
@@ -89,6 +91,19 @@ Error SearchCommand::tooShort(const std::string &meanwhile) const {
                       std::to_string(std::lround(seconds)) + "s is the least for this input (--budget)");
 }
 
+/// Nothing was measured, as nothing promised to be of use.
+Error SearchCommand::tooSlow(const Acquisition &rated) const {
+  double fastest = 0;
+  for (std::size_t i = 0; i < rated.formats().size(); ++i)
+    fastest = std::max(fastest, 1000 / rated.expect(i).nanoseconds);
+  std::array<char, 160> text;
+  std::snprintf(text.data(), text.size(),
+                "no format comes near the %g M/s that --min-speed asks for; of the %zu that were rated, the "
+                "fastest is predicted to have %.2f M/s",
+                options_.leastSpeed, rated.formats().size(), fastest);
+  return Error::input(text.data());
+}
+
 Expected<void> SearchCommand::tell(const Told &told, Json &figures) {
   const auto cells = VOXC_TRY(measure::readRecords(options_.folder));
   const measure::SearchVerdict verdict = told.search.verdict(cells);
@@ -99,6 +114,7 @@ Expected<void> SearchCommand::tell(const Told &told, Json &figures) {
                             .rated = told.rated,
                             .kept = told.search.acquisition()->formats().size(),
                             .seconds = watch_.seconds(),
+                            .leastSpeed = options_.leastSpeed,
                             .acquisition = *told.search.acquisition(),
                             .loop = *told.search.loop(),
                             .verdict = verdict};
@@ -110,7 +126,8 @@ Expected<void> SearchCommand::tell(const Told &told, Json &figures) {
   VOXC_TRY(measure::writeVerdict(options_.folder, verdict));
   if (!progress_.stopped())
     makePage();
-  return writeStatistics(options_.common.stats, figures);
+  VOXC_TRY(writeStatistics(options_.common.stats, figures));
+  return verdict.frontier.empty() ? Error::input(whyNoAnswer(result)) : Expected<void>();
 }
 
 /// The answer stands without a page, which needs more than voxc.
@@ -166,7 +183,8 @@ Expected<void> SearchCommand::measure(const bench::SweepAxes &axes, measure::For
   if ((!measured && (!isInterrupted || !hasFound)) || options_.shares.share())
     return measured;
   if (measured && !hasFound)
-    return tooShort("the first format was built");
+    return search.loop()->isComplete() ? tooSlow(*search.acquisition())
+                                       : tooShort("the first format was built");
   Expected<void> told = tell({axes, rated, search}, figures);
   // The answer stands without what the next search would begin with.
   const std::string &device = axes.devices.front().part.name;

@@ -119,12 +119,20 @@ std::string searchReport(const SearchResult &result) {
   text += result.loop.isComplete() ? "\nnothing that was not measured promises more\n"
                                    : "\nthe budget ended first: run the command again to go on\n";
   if (verdict.frontier.empty())
-    return text + "no format could be measured" + whyNone(result) + "\n";
+    return text;
   text += table(verdict) + "\n" + answers(verdict);
   if (const PredictedFormat *format = formatOf(result, verdict.answer(verdict.objective)))
     text += "\n" + meaningOf(verdict.objective) + "\n" +
             buildCommand(result.input, result.arguments, format->candidate) + "\n";
   return text;
+}
+
+std::string whyNoAnswer(const SearchResult &result) {
+  if (result.verdict.fastest > 0)
+    return print(
+        "no format has the %g M/s that --min-speed asks for; the fastest that was measured has %.2f M/s",
+        result.leastSpeed, result.verdict.fastest);
+  return "no format could be measured" + whyNone(result);
 }
 
 void addSearchFigures(Json &figures, const SearchResult &result) {

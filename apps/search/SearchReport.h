@@ -18,14 +18,18 @@ struct SearchResult {
   std::size_t rated = 0;         ///< Formats of which size and speed were predicted,
   std::size_t kept = 0;          ///< and those that came near the frontier.
   double seconds = 0;
+  double leastSpeed = 0; ///< That was asked for, in million rays a second.
   const Acquisition &acquisition;
   const measure::SearchLoop &loop;
   const measure::SearchVerdict &verdict;
 };
 
 /// The frontier as a table, a line for each question that one may ask of it, and the command that builds what
-/// the objective asks for.
+/// the objective asks for; without an answer, how much was looked at.
 std::string searchReport(const SearchResult &result);
+
+/// Why there is no answer. Precondition: the frontier is empty.
+std::string whyNoAnswer(const SearchResult &result);
 
 /// Adds what was measured, how well it was predicted, and what the formats cost that came near the frontier.
 void addSearchFigures(Json &figures, const SearchResult &result);

@@ -162,7 +162,7 @@ Expected<Input> open(const std::string &path, const InputOptions &options) {
 std::vector<InputKind> assimpKinds() {
   std::vector<InputKind> kinds;
   for (const std::string_view ending : {".fbx", ".dae", ".3ds", ".off", ".x3d"})
-    kinds.push_back({ending, open, "a mesh"});
+    kinds.push_back({ending, open, "a mesh", true});
   return kinds;
 }
 

@@ -37,25 +37,25 @@ Expected<Input> lackAssimp(const std::string &path, const InputOptions &) {
 constexpr std::array<InputKind, 36> kKinds{{{"builtin:", openBuiltin, "a built-in scene"},
                                             {"grid:", openGrid, "a grid of words"},
                                             {"raw:", openRaw, "a dense volume"},
-                                            {".obj", openMesh, "a mesh"},
-                                            {".glb", openMesh, "a mesh"},
-                                            {".gltf", openMesh, "a mesh"},
+                                            {".obj", openMesh, "a mesh", true},
+                                            {".glb", openMesh, "a mesh", true},
+                                            {".gltf", openMesh, "a mesh", true},
                                             {".stl", openMesh, "a mesh"},
-                                            {".ply", openPly, "a mesh or points"},
+                                            {".ply", openPly, "a mesh or points", true},
                                             {".hvx", openVolume, "a volume"},
                                             {".vox", openMagicaVoxel, "MagicaVoxel models"},
                                             {".schem", openMinecraft, "blocks of Minecraft"},
                                             {".schematic", openMinecraft, "blocks of Minecraft"},
                                             {".litematic", openMinecraft, "blocks of Minecraft"},
                                             {".binvox", openBinvox, "voxels without colours"},
-                                            {".nrrd", openNrrd, "a dense volume"},
-                                            {".nhdr", openNrrd, "a dense volume"},
+                                            {".nrrd", openNrrd, "a dense volume", true},
+                                            {".nhdr", openNrrd, "a dense volume", true},
                                             {".nii", openNifti, "a dense volume"},
                                             {".nii.gz", openNifti, "a dense volume"},
-                                            {".hdr", openNifti, "a dense volume"},
-                                            {".hdr.gz", openNifti, "a dense volume"},
-                                            {".img", openNifti, "a dense volume"},
-                                            {".img.gz", openNifti, "a dense volume"},
+                                            {".hdr", openNifti, "a dense volume", true},
+                                            {".hdr.gz", openNifti, "a dense volume", true},
+                                            {".img", openNifti, "a dense volume", true},
+                                            {".img.gz", openNifti, "a dense volume", true},
                                             {".npy", openNumpy, "an array"},
                                             {".npz", openNumpy, "arrays"},
                                             {".png", openSlices, "slices"},
@@ -165,6 +165,11 @@ Expected<Input> openInput(const std::string &input, const InputOptions &options)
     return Error::input("'" + input + "' takes " + extentText(extent) + " voxels, but the format holds " +
                         extentText(holds));
   return opened;
+}
+
+bool mayHaveSeveralFiles(const std::string &input, const InputOptions &options) {
+  const InputKind *const kind = kindOf(input, options.otherKinds);
+  return kind && kind->mayHaveSeveralFiles;
 }
 
 } // namespace voxc

@@ -98,7 +98,7 @@ SearchVerdict FormatSearch::verdict(const std::vector<Record> &records) const {
       own.push_back(&record);
   return makeSearchVerdict(
       own, [&](const Record &record) { return loop_->isCompared(formats.at(record.cell)); },
-      std::string(toString(options_.wish.objective)));
+      std::string(toString(options_.wish.objective)), options_.leastSpeed);
 }
 
 std::optional<MeasuredSet> bouncedSet(const SearchScene &scene, const std::vector<Ray> &eye,

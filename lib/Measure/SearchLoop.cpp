@@ -17,8 +17,9 @@ constexpr double kNear = 1.04;
 constexpr double kLastCost = 1.5;
 /// What a format takes, until that is measured.
 constexpr double kAssumedSeconds = 0.7;
-/// Of the last rounds, so many make times that can be compared.
-constexpr unsigned kLeastLastRounds = 3;
+/// Of the last rounds, so many make times that can be compared: more than those of a batch, by which a later
+/// search tells them apart.
+constexpr unsigned kLeastLastRounds = 4;
 /// Seconds by which the first format may be late, so that a search has an answer.
 constexpr double kGrace = 1.2;
 
@@ -51,7 +52,7 @@ void SearchLoop::takeKnown(const std::vector<Record> &records) {
     if (finding.nanoseconds.size() != acquisition_.formats()[i].costs.size())
       continue; // Those that failed are tried again.
     acquisition_.take(i, finding.nanoseconds);
-    if (finding.records.front().speed.rounds == options_.lastRounds)
+    if (finding.records.front().speed.rounds >= kLeastLastRounds)
       last_.insert(i);
     findings_[i] = std::move(finding);
   }

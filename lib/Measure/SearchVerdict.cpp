@@ -243,7 +243,7 @@ double SearchVerdict::worstFactor() const {
 
 SearchVerdict makeSearchVerdict(const std::vector<const Record *> &cells,
                                 const std::function<bool(const Record &)> &isCompared,
-                                const std::string &objective) {
+                                const std::string &objective, double leastSpeed) {
   SearchVerdict verdict{.objective = objective};
   std::set<std::string> sets;
   for (const Record *cell : cells) {
@@ -260,7 +260,9 @@ SearchVerdict makeSearchVerdict(const std::vector<const Record *> &cells,
       continue;
     if (auto finalist = makeFinalist(variant, ofVariant, sets.size())) {
       verdict.compared.insert(ofVariant.begin(), ofVariant.end());
-      finalists.push_back(std::move(*finalist));
+      verdict.fastest = std::max(verdict.fastest, finalist->mraysPerS);
+      if (finalist->mraysPerS >= leastSpeed)
+        finalists.push_back(std::move(*finalist));
     }
   }
   verdict.frontier = frontierOf(finalists);

@@ -16,6 +16,7 @@ Expected<int> TextureSet::readFile(const std::string &path) {
     auto file = WatchedFile::open(path, memory_);
     if (!file)
       return Error::input(file.error().message); // Whatever the reason, a model can do without.
+    scene_.files.push_back(path);
     return decode((*file)->bytes());
   });
 }

@@ -12,7 +12,9 @@
 namespace voxc::measure {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
+using testing::IsEmpty;
 using testing::SizeIs;
 
 constexpr std::uint64_t kKibi = 1 << 10;
@@ -42,11 +44,12 @@ void add(Cells &cells, const std::string &format, std::uint64_t bytes, double ov
 }
 
 /// The verdict where formats of seven rounds are compared.
-SearchVerdict verdictOf(const Cells &cells) {
+SearchVerdict verdictOf(const Cells &cells, double leastSpeed = 0) {
   std::vector<const Record *> all;
   for (const Record &cell : cells)
     all.push_back(&cell);
-  return makeSearchVerdict(all, [](const Record &cell) { return cell.speed.rounds == 7u; }, "balanced");
+  return makeSearchVerdict(
+      all, [](const Record &cell) { return cell.speed.rounds == 7u; }, "balanced", leastSpeed);
 }
 
 std::vector<std::string> told(const SearchVerdict &verdict) {
@@ -72,6 +75,21 @@ TEST(SearchVerdict, IsOfTheMeanTimeOfAllSetsOfRays) {
                           "best below 32 KiB: S(11), 20.0 KiB at 1.80 M/s",
                           "fastest: R(9^3), 2.00 MiB at 6.00 M/s", "balanced: G(11), 10.0 KiB at 1.60 M/s"));
   EXPECT_EQ(verdict.frontier[1].setSpeedsText, "9.00 M/s overview, 1.00 M/s bounced");
+}
+
+TEST(SearchVerdict, AnswersWithNothingThatIsTooSlow) {
+  Cells cells;
+  add(cells, "G(11)", 10 * kKibi, 4, 1);
+  add(cells, "S(11)", 20 * kKibi, 9, 1);
+  add(cells, "R(9^3)", 2048 * kKibi, 6, 6);
+  const SearchVerdict some = verdictOf(cells, 1.7);
+  EXPECT_EQ(some.formats, 3u);
+  EXPECT_THAT(told(some), Contains("smallest: S(11), 20.0 KiB at 1.80 M/s"));
+  EXPECT_THAT(some.frontier, SizeIs(2));
+  const SearchVerdict none = verdictOf(cells, 7);
+  EXPECT_THAT(none.frontier, IsEmpty());
+  EXPECT_THAT(none.answers, IsEmpty());
+  EXPECT_DOUBLE_EQ(none.fastest, 6);
 }
 
 TEST(SearchVerdict, ComparesTimesOfTheLastRounds) {

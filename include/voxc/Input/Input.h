@@ -26,7 +26,8 @@ struct InputKind {
   std::string_view mark; ///< A prefix if it ends in a colon, else an ending in lower case.
   /// Takes what follows the prefix, or a path, and options with a memory.
   Expected<Input> (*open)(const std::string &rest, const InputOptions &options);
-  std::string_view holds = ""; ///< Such as "a mesh".
+  std::string_view holds = "";      ///< Such as "a mesh".
+  bool mayHaveSeveralFiles = false; ///< What it reads besides its own is in `Input::files`.
 };
 
 /// One thing that an input says of itself.
@@ -111,6 +112,8 @@ struct Input {
   std::string provenance;                       ///< The options that matter, for `VolumeInfo::provenance`.
   std::vector<std::string> warnings;            ///< One sentence each.
   std::vector<std::string> notes;               ///< What was done as asked for; one sentence each.
+  std::vector<std::string> files;               ///< That were read besides the one which is named, where its
+                                                ///< content names them: materials, textures, samples.
   Interior interior = Interior::Keep;           ///< What was done with the inside,
   std::uint64_t interiorVoxels = 0;             ///< how many voxels were left out or added,
   double interiorSeconds = 0;                   ///< and how long it took to find them.
@@ -127,5 +130,9 @@ struct Input {
 /// format's longest axis). "F.vox#N" is frame N of an animation, from 1 on. Errors: unknown kind (naming
 /// those there are), unreadable, broken, or larger than the format.
 Expected<Input> openInput(const std::string &input, const InputOptions &options);
+
+/// Whether the input is of a kind that may name other files, by its name alone; false if it is of no known
+/// kind.
+bool mayHaveSeveralFiles(const std::string &input, const InputOptions &options);
 
 } // namespace voxc

@@ -17,7 +17,7 @@ namespace voxc::measure {
 struct SearchLoopOptions {
   TimeBudget budget;         ///< In which it has to end.
   std::size_t together = 4;  ///< Formats of a batch.
-  unsigned rounds = 3;       ///< In which each is traced.
+  unsigned rounds = 3;       ///< In which each is traced; 3 at most.
   unsigned lastRounds = 7;   ///< The same of the frontier; 0: what is best is not measured once more.
   double leastGain = 0.0001; ///< Of the area below the frontier, that a format must promise; below 0: none.
 };

@@ -38,9 +38,10 @@ struct SearchAnswer {
 
 struct SearchVerdict {
   std::size_t formats = 0;        ///< That were tried, failures included; other passes make another format.
-  std::vector<Finalist> frontier; ///< From small and slow to large and fast; empty if none was measured.
+  std::vector<Finalist> frontier; ///< From small and slow to large and fast; empty if none is fast enough.
   std::vector<SearchAnswer> answers;  ///< From the smallest to the fastest, then balanced; empty likewise.
   std::string objective = "balanced"; ///< The question whose command is printed.
+  double fastest = 0; ///< Million rays a second of the fastest that was compared; 0 if there is none.
   std::uint64_t checkedRays = 0, wrongRays = 0;
   std::set<const Record *> cells;    ///< All of the search.
   std::set<const Record *> compared; ///< Those whose times may be compared: only they are on a frontier.
@@ -53,10 +54,11 @@ struct SearchVerdict {
 };
 
 /// The verdict on cells of one model, resolution, device and precision. A format is compared if it was
-/// measured on as many sets of rays as there are, and `isCompared` holds for all of its cells.
+/// measured on as many sets of rays as there are, and `isCompared` holds for all of its cells; those of less
+/// than `leastSpeed` million rays a second answer nothing.
 SearchVerdict makeSearchVerdict(const std::vector<const Record *> &cells,
                                 const std::function<bool(const Record &)> &isCompared,
-                                const std::string &objective);
+                                const std::string &objective, double leastSpeed = 0);
 
 /// What the names of files that hold verdicts begin with.
 inline constexpr const char *kVerdictPrefix = "verdict-";

@@ -126,6 +126,7 @@ struct TriangleScene {
   std::vector<Material> materials; ///< At least one.
   std::vector<Texture> textures;
   std::vector<std::string> warnings;                ///< One sentence each.
+  std::vector<std::string> files;                   ///< That the model's own names and that were read.
   std::vector<std::shared_ptr<const void>> storage; ///< What the views point into.
   std::uint64_t loaderPeakBytes = 0; ///< What a library took beside the bound while it read; 0: nothing.
 };

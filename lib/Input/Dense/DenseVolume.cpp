@@ -233,6 +233,7 @@ Expected<Input> makeInput(DenseVolume volume, const InputOptions &options) {
   const auto map = VOXC_TRY(lookOf(volume, options, input));
   input.warnings = std::move(volume.warnings);
   input.notes = std::move(volume.notes);
+  input.files = std::move(volume.files);
   const auto side = VOXC_TRY(sideOf(volume, options));
   Resampled cells{volume.extent, nullptr, volume.sampleToModel};
   if (side > 0) {

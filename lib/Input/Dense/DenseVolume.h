@@ -34,6 +34,7 @@ struct DenseVolume {
   Transform sampleToModel; ///< Of points in voxels: sample i fills [i, i + 1).
   std::vector<std::string> warnings;
   std::vector<std::string> notes;
+  std::vector<std::string> files; ///< As in `Input`.
 };
 
 /// `volume.steps`, or those of samples without gaps.

@@ -146,6 +146,7 @@ Expected<Input> openMeshBy(const LoadScene &load, const std::string &path, const
   input.loaderPeakBytes = scene.loaderPeakBytes;
   input.triangles = triangleCount(scene);
   input.warnings = std::move(scene.warnings);
+  input.files = std::move(scene.files);
   if (options.describe)
     input.facts = factsOf(scene);
   if (isOfPoints(scene)) {

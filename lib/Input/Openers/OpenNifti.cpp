@@ -59,14 +59,13 @@ Expected<NiftiHeader> readHeader(const File &file, const std::string &path) {
   return readNiftiHeader(front, hasEnding(path, kPair[0]));
 }
 
-/// The file with the samples.
-Expected<File> openSamples(const NiftiHeader &header, File file, const std::string &path,
-                           const InputOptions &options) {
-  if (!header.isPair)
-    return file;
+/// Opens the other file of a pair, that with the samples, and lists it.
+Expected<File> openSamples(const std::string &path, const InputOptions &options,
+                           std::vector<std::string> &files) {
   const auto samples = partnerOf(path, kPair[1]);
   if (!samples)
     return Error::input("its samples are in a file of its name that ends in .img, which is not there");
+  files.push_back(*samples);
   return WatchedFile::open(*samples, options.memory);
 }
 
@@ -126,11 +125,12 @@ Expected<DenseVolume> volumeOf(const NiftiHeader &header) {
 
 Expected<DenseVolume> readVolume(File file, const std::string &path, const InputOptions &options) {
   const auto header = VOXC_TRY(readHeader(file, path));
-  auto samples = VOXC_TRY(openSamples(header, std::move(file), path, options));
   auto volume = volumeOf(header);
   volume->warnings = header.warnings;
+  if (header.isPair)
+    file = VOXC_TRY(openSamples(path, options, volume->files));
   const auto number = VOXC_TRY(chooseVolume(header.volumes, options, volume->warnings));
-  VOXC_TRY(takeSamples(header, number, std::move(samples), options, *volume));
+  VOXC_TRY(takeSamples(header, number, std::move(file), options, *volume));
   if (header.hasOrientation)
     orient(*volume);
   else if (options.isAutomatic)
@@ -149,9 +149,12 @@ Expected<Input> openNifti(const std::string &path, const InputOptions &options) 
   // The format says so: +x is right, +y is front, +z is up.
   InputOptions upright = options;
   upright.zUp |= options.isAutomatic && !options.isUpKnown;
-  return openDense(*header, "NIfTI", upright, [&](std::shared_ptr<const WatchedFile> file) {
+  auto input = VOXC_TRY(openDense(*header, "NIfTI", upright, [&](std::shared_ptr<const WatchedFile> file) {
     return readVolume(std::move(file), *header, options);
-  });
+  }));
+  if (isImage)
+    input.files = {*header};
+  return input;
 }
 
 } // namespace voxc

@@ -65,13 +65,17 @@ Expected<DenseVolume> readVolume(const std::string &path, std::shared_ptr<const 
   std::string_view text = file->text();
   auto header = VOXC_TRY(readNrrdHeader(text, options.volume > 0));
   const auto offset = VOXC_TRY(offsetOf(header, options, header.warnings));
-  auto data = VOXC_TRY(readNrrdData(header, std::move(file), std::as_bytes(std::span(text)),
-                                    std::filesystem::path(path).parent_path(), options));
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  auto data =
+      VOXC_TRY(readNrrdData(header, std::move(file), std::as_bytes(std::span(text)), folder, options));
   header.warnings.insert(header.warnings.end(), data.warnings.begin(), data.warnings.end());
   if (header.isUpZ && options.isAutomatic && !options.isUpKnown)
     header.notes.push_back("its +z goes to the head of a patient, and lies as voxel z; --up z turns it to "
                            "+y, the up of pictures, as it is for NIfTI files");
-  return volumeOf(header, std::move(data), offset);
+  auto volume = VOXC_TRY(volumeOf(header, std::move(data), offset));
+  for (const std::string &name : header.dataFiles)
+    volume.files.push_back((folder / name).string());
+  return volume;
 }
 
 } // namespace

@@ -125,6 +125,7 @@ std::span<const std::byte> GltfBuffers::readFile(std::string_view uri, const Glt
     return {};
   }
   context_.scene.storage.push_back(*file);
+  context_.scene.files.push_back(path);
   bytesOfFiles_ += (*file)->bytes().size();
   return entry->second = (*file)->bytes();
 }

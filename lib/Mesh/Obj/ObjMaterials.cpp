@@ -36,6 +36,7 @@ bool ObjMaterials::addLibrary(std::string_view name) {
     warnings_.add("the material library '" + std::string(trimmed(name)) + "' is not there; '" + found->path +
                   "' beside the model is taken");
   libraries_.insert(found->path);
+  scene_.files.push_back(found->path);
   readMtl((*file)->text(), std::string(trimmed(name)), folderOf(found->path), known_, warnings_);
   // It may have what was missing before.
   std::erase_if(used_, [&](const auto &entry) { return missing_.contains(entry.first); });
