@@ -34,6 +34,12 @@ std::vector<Numbers> deal(const Jobs &jobs, std::size_t level, Numbers numbers, 
 /// Numbers of a command; Linux takes words of less than 128 KiB.
 constexpr std::size_t kMostNumbers = 8192;
 
+/// A list as a message shows it.
+std::string shortened(const std::string &numbers) {
+  constexpr std::size_t kMost = 80;
+  return numbers.size() <= kMost ? numbers : numbers.substr(0, numbers.rfind(',', kMost)) + ",...";
+}
+
 /// Runs a level; returns the first failure of a process, if there was one.
 Expected<void> runLevel(const Jobs &jobs, std::size_t level, const Numbers &missing, unsigned processes,
                         const JobWatch &watch) {
@@ -48,8 +54,8 @@ Expected<void> runLevel(const Jobs &jobs, std::size_t level, const Numbers &miss
       if (!report)
         outcomes[i] = report.error();
       else if (!report->succeeded)
-        outcomes[i] =
-            Error::environment(jobs.itemName(level) + " of " + numbers + " failed: " + report->failure);
+        outcomes[i] = Error::environment(jobs.itemName(level) + " of " + shortened(numbers) +
+                                         " failed: " + report->failure);
     }
   };
   std::vector<std::jthread> threads;

@@ -58,6 +58,9 @@ std::string PackWriter::pathOf(const std::string &name) const {
 }
 
 Expected<void> PackWriter::startPack() {
+  constexpr unsigned kMostPacks = 999; // Their names are read in order.
+  if (pack_ == kMostPacks)
+    return Error::usage("the packs would be more than 999; --pack-megabytes allows larger ones");
   ++pack_;
   // The list of cells and the script may come into any pack.
   left_ = packBytes_ - std::min<std::uint64_t>(packBytes_, cells_.size() + script().size());

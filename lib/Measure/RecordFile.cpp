@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <map>
 #include <system_error>
+#include <thread>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -24,6 +26,18 @@ constexpr const char *kExtension = ".jsonl";
 
 Error cannotWrite(const std::string &path) {
   return Error::environment("cannot write to '" + path + "': " + std::strerror(errno));
+}
+
+/// Takes the lock of a file; one that was ended a moment ago may still have it.
+bool lock(int descriptor) {
+  constexpr int kTries = 20;
+  constexpr std::chrono::milliseconds kPause(100);
+  for (int i = 0; i < kTries; ++i) {
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0)
+      return true;
+    std::this_thread::sleep_for(kPause);
+  }
+  return false;
 }
 
 /// The paths of a folder's files of records, in order.
@@ -97,7 +111,7 @@ Expected<RecordWriter> RecordWriter::open(const std::string &path) {
   if (descriptor < 0)
     return cannotWrite(path);
   RecordWriter writer(descriptor, path);
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0)
+  if (!lock(descriptor))
     return Error::input("'" + path +
                         "' is being written by another voxc; wait for it, or name another folder");
   VOXC_TRY(writer.removeCutLine());

@@ -23,6 +23,7 @@ protected:
       return {};
     warnings_ = input->warnings;
     notes_ = input->notes;
+    files_ = input->files;
     provenance_ = input->provenance;
     extent_ = input->source->extent();
     map_ = input->source->voxelToModel();
@@ -59,7 +60,7 @@ protected:
 
   TemporaryFolder folder_;
   InputOptions options_;
-  std::vector<std::string> warnings_, notes_;
+  std::vector<std::string> warnings_, notes_, files_;
   std::string provenance_;
   Int3 extent_;
   Transform map_;

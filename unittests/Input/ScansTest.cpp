@@ -99,6 +99,8 @@ TEST_F(Scans, NrrdInSeveralFiles) {
                   nrrdScan(kThree + "encoding: raw\ndata file: LIST\nslab 0.raw\nslab 1.raw\r\nslab 2.raw\n"
                                     "slab 3.raw\n")),
             expected);
+  EXPECT_THAT(files_, ElementsAre(folder_.path("slab 0.raw"), folder_.path("slab 1.raw"),
+                                  folder_.path("slab 2.raw"), folder_.path("slab 3.raw")));
   const auto back = words("a.nhdr", nrrdScan(kThree + "encoding: raw\ndata file: slab %d.raw 3 0 -1\n"));
   ASSERT_EQ(back.size(), 24u);
   EXPECT_EQ(back.front(), 19u);
@@ -278,7 +280,9 @@ TEST_F(Scans, NiftiPairsAndAnalyze) {
   folder_.file("pair.hdr", file.header.substr(0, 348));
   folder_.file("pair.img", bytes());
   EXPECT_EQ(words("pair.hdr"), upTo(24));
+  EXPECT_THAT(files_, ElementsAre(folder_.path("pair.img")));
   EXPECT_EQ(words("pair.img"), upTo(24));
+  EXPECT_THAT(files_, ElementsAre(folder_.path("pair.hdr")));
   folder_.file("packed.hdr.gz", gzipped(file.header.substr(0, 348)));
   folder_.file("packed.img.gz", gzipped(bytes()));
   EXPECT_EQ(words("packed.hdr.gz"), upTo(24));

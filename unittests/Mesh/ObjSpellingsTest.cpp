@@ -126,6 +126,9 @@ TEST_F(ObjSpellings, ImagesBesideTheModel) {
     const TriangleScene scene = loadWith("newmtl a\nmap_Kd " + std::string(name) + "\n");
     ASSERT_EQ(scene.textures.size(), 1u) << name;
     EXPECT_EQ(texelsOf(scene.textures[0]), kTexels);
+    ASSERT_EQ(scene.files.size(), 2u) << name;
+    EXPECT_EQ(scene.files[0], folder_.path("m.mtl"));
+    EXPECT_TRUE(std::filesystem::is_regular_file(scene.files[1])) << scene.files[1];
   }
   EXPECT_TRUE(has(warningsWith("newmtl a\nmap_Kd D:\\t.tga\n"), "'D:\\t.tga' is not there"));
   EXPECT_TRUE(warningsWith("newmtl a\nmap_Kd T.TGA\n").empty());
