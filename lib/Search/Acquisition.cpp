@@ -103,7 +103,7 @@ std::vector<std::size_t> Acquisition::next(std::size_t count, double least) cons
     std::ranges::transform(open, gains.begin(),
                            [&](std::size_t i) { return expectedGain(believed, i, expected[i]); });
     const auto best = std::ranges::max_element(gains);
-    if (*best <= least * believed.area())
+    if (least >= 0 && *best <= least * believed.area())
       break;
     const auto at = open.begin() + (best - gains.begin());
     believed.add(pointOf(*at, expected[*at].nanoseconds));

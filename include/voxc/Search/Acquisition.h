@@ -48,7 +48,7 @@ public:
 
   /// At most `count` formats that are still to be measured, the most promising first, each under the
   /// expectation that those before it are as they are expected to be. None whose expected gain is less than
-  /// `least` of the frontier's area.
+  /// `least` of the frontier's area; below 0: all.
   std::vector<std::size_t> next(std::size_t count, double least) const;
 
   /// Of all that was measured.
