@@ -92,7 +92,7 @@ Expected<PagedFileWriter> PagedFileWriter::create(const std::string &path) {
     return Error::input("'" + path +
                         "' is no regular file, and a compressed volume can be written to such a one only");
   auto file = VOXC_TRY(OutputFile::create(path));
-  return PagedFileWriter(std::move(file));
+  return PagedFileWriter(path, std::move(file));
 }
 
 Expected<void> PagedFileWriter::finish(const VolumeInfo &info, std::span<const Stream> streams,
@@ -123,6 +123,7 @@ Expected<void> PagedFileWriter::finish(const VolumeInfo &info, std::span<const S
   addAllButItself(checksum, std::as_bytes(std::span(head)));
   seal(head, checksum.digest());
   VOXC_TRY(file_.rewrite(0, head.data(), head.size()));
+  VOXC_TRY(checkNoJournal(path_));
   return file_.commit();
 }
 

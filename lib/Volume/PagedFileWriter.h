@@ -17,11 +17,14 @@ public:
   static Expected<PagedFileWriter> create(const std::string &path);
 
   /// Compresses the streams, completes the file and gives it its name. The bytes depend on info, streams and
-  /// the version of zstd alone. Errors: `Environment`, a full disk; interrupted.
+  /// the version of zstd alone. Errors: `Environment`, a full disk; interrupted; edits that
+  /// came meanwhile, of what it would replace (`Input`).
   Expected<void> finish(const VolumeInfo &info, std::span<const Stream> streams, const SaveOptions &options);
 
 private:
-  explicit PagedFileWriter(OutputFile file) : file_(std::move(file)) {}
+  PagedFileWriter(std::string path, OutputFile file) : path_(std::move(path)), file_(std::move(file)) {}
+
+  std::string path_;
   OutputFile file_;
 };
 

@@ -136,6 +136,7 @@ Expected<void> Volume::saveMapped(const std::string &path) const {
     VOXC_TRY(file.write(stream.bytes.data(), stream.bytes.size()));
     end += padding.size() + stream.bytes.size();
   }
+  VOXC_TRY(checkNoJournal(path));
   return file.commit();
 }
 

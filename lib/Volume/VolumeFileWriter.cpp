@@ -48,6 +48,7 @@ Expected<void> VolumeFileWriter::finish(const VolumeInfo &info, std::span<const 
     VOXC_TRY(write(rows[i].offset, streams[i].bytes, memory));
   const std::string head = volumeFileHead(info, streams, [&] { memory.relieve(); });
   VOXC_TRY(file_.rewrite(0, head.data(), head.size()));
+  VOXC_TRY(checkNoJournal(path_));
   return file_.commit();
 }
 

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <random>
+#include <utility>
 
 namespace voxc {
 namespace {
@@ -157,6 +158,30 @@ TEST(Edit, OfAJournalPastesWithinItsMemory) {
   ASSERT_EQ(edits->size(), 1u);
   EXPECT_TRUE(std::ranges::equal(edits->front().pasted->words(), pasted->words()));
   EXPECT_GT(memory->scratchPeak(), 0u);
+  std::filesystem::remove_all(folder);
+}
+
+/// An edit that comes while its volume is written anew is kept, with what it is of.
+TEST(Edit, OfAJournalIsNotLostToAWriter) {
+  const auto folder = test::newFolder("voxc-edit");
+  const std::string path = (folder / "volume.hvx").string();
+  const auto scene = makeBuiltinSource("terrain", 16);
+  ASSERT_TRUE(test::buildVolume(*parseFormat("G(4)"), **scene)->save(path));
+  const auto other = test::buildVolume(*parseFormat("R(4^3)"), **scene);
+  bool isEdited = false;
+  SaveOptions options{.compress = true};
+  options.progress.report = [&](std::string_view, double, std::uint64_t) {
+    if (!std::exchange(isEdited, true)) {
+      EXPECT_TRUE(EditJournal::open(path)->append({{{15, 0, 0}, {1, 1, 1}, 0xff0000ff, nullptr}}));
+    }
+  };
+  const auto saved = other->save(path, options);
+  ASSERT_TRUE(isEdited);
+  ASSERT_FALSE(saved);
+  EXPECT_NE(saved.error().message.find("edits of '"), std::string::npos) << saved.error().message;
+  const auto kept = loadEdited(path);
+  ASSERT_TRUE(kept) << kept.error().message;
+  EXPECT_EQ(toString(kept->format()), "G(4)");
   std::filesystem::remove_all(folder);
 }
 
