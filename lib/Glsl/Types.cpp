@@ -21,7 +21,6 @@ enum class Result { Same, Bools, Bool, Float, Floats, Int, Ints, Uint, Uints };
 struct Builtin {
   std::string_view name;
   Result result;
-  unsigned written = 0; ///< A bit for each argument that it writes to, the first lowest.
 };
 
 constexpr std::array<Builtin, 43> kBuiltins = {{
@@ -50,10 +49,10 @@ constexpr std::array<Builtin, 43> kBuiltins = {{
     {"bitCount", Result::Ints},
     {"findLSB", Result::Ints},
     {"findMSB", Result::Ints},
-    {"uaddCarry", Result::Same, 0b100},
-    {"usubBorrow", Result::Same, 0b100},
-    {"umulExtended", Result::Same, 0b1100},
-    {"atomicAdd", Result::Same, 0b1},
+    {"uaddCarry", Result::Same},
+    {"usubBorrow", Result::Same},
+    {"umulExtended", Result::Same},
+    {"atomicAdd", Result::Same},
     {"isinf", Result::Bools},
     {"isnan", Result::Bools},
     {"sqrt", Result::Same},
@@ -115,11 +114,6 @@ std::string builtinType(std::string_view function, std::string_view first) {
   return builtin->result == Result::Same
              ? std::string(first)
              : typeOf(kComponents[static_cast<std::size_t>(builtin->result)], isOne ? 1 : shape.size);
-}
-
-bool writesTo(std::string_view builtin, std::size_t argument) {
-  const Builtin *const found = find(builtin);
-  return found && (found->written >> argument & 1u) != 0;
 }
 
 } // namespace voxc::glsl

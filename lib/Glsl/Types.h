@@ -28,7 +28,4 @@ std::string swizzleOf(std::string_view type, std::string_view members);
 /// none of this name.
 std::string builtinType(std::string_view function, std::string_view first);
 
-/// Whether a function that the language has writes to its argument at an index.
-bool writesTo(std::string_view builtin, std::size_t argument);
-
 } // namespace voxc::glsl
