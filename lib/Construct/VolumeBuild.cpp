@@ -60,10 +60,11 @@ Expected<WordStore> VolumeBuild::openWords() {
   return WordStore::create(options_.memory, flush, maxWords_);
 }
 
-/// The array of indexed sub-volumes stands behind all nodes.
+/// The array of indexed sub-volumes stands behind all nodes. Its number 0, the empty one, is not written
+/// alone: a volume without voxels is its head.
 void VolumeBuild::appendArray(WordStore &words) {
   const auto array = store_->array();
-  if (array.empty() || store_->failure())
+  if (array.size() <= kIndexedWords || store_->failure())
     return;
   if (words.size() + array.size() > maxWords_)
     return store_->fail(Error::input("the volume needs more than " + std::to_string(maxWords_) +

@@ -11,8 +11,8 @@ namespace voxc {
 namespace {
 
 std::string problem(const Stratum &stratum) {
-  if (stratum.log2Children() > 6)
-    return "a node with leaves has 64 children at most";
+  if (stratum.log2Children() > 3)
+    return "a record of siblings has one word of masks, for 8 children at most";
   return {};
 }
 

@@ -94,8 +94,8 @@ private:
     rule(!stratum.ranked || stratum.slots->ranks,
          name + "does not count voxels, which values=apart asks for; raw, distance, masked and svdag do");
     rule(!stratum.ranked || !isLast || stratum.implied || !stratum.slots->ranks,
-         name + "has no masks that mark voxels, which values=apart asks of the last level; svdag and masked "
-                "have");
+         name + "has no masks that mark voxels, which values=apart asks of the last level; masked has, and "
+                "svdag of more than one cell");
     neighbours(stratum);
     rule(stratum.slots->placeBits == 32 || index_ == 0 || layout_.strata[index_ - 1].empty() != Empty::Tagged,
          name + "needs all bits of the references that lead to it, of which distances=in-slot takes some in "

@@ -3,7 +3,7 @@
 void march_level(const Ray ray, inout Traversal traversal, int left) {
   const int side = 1 << LEVEL_LOG2_CELL;
   ivec3 face = corner_of(traversal.cell, LEVEL_LOG2_CELL) + (ray.ahead & side);
-  ivec3 corner;
+  ivec3 corner = face; // `left` is at least 1, which compilers cannot know.
   Exit leaving = Exit(0.0f, bvec3(false), true);
   // The condition stands at the head: Mesa 22.3's llvmpipe lets lanes that leave a loop further down run on.
   while (leaving.sure && left > 0) {

@@ -1,4 +1,5 @@
 // Kernels on this processor: the hits of Vulkan's, bit for bit, and those of the oracle.
+#include "GuardedVolume.h"
 #include "TestLength.h"
 
 #include "Jit/Jit.h"
@@ -42,6 +43,7 @@ constexpr KernelOptions kLikeTheCpu = {.arithmetic = Arithmetic::Ieee};
 
 class CpuKernels : public ::testing::Test {
 protected:
+  /// Kernels read nothing that is behind the words.
   static Expected<Volume> build(const Format &format, const test::HardScene &scene) {
     const auto constructor = Constructor::compile(format);
     if (!constructor)
@@ -49,7 +51,7 @@ protected:
     auto built = constructor->build(*scene.source());
     if (!built)
       return built.error();
-    return std::move(built->volume);
+    return test::guarded(built->volume);
   }
 
   static std::vector<Hit> traced(Expected<std::unique_ptr<Tracer>> tracer, std::span<const Ray> rays,
