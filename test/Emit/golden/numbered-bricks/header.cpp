@@ -488,8 +488,11 @@ static inline uint voxc_m2_2_2_m2_2_2_m2_2_2_value_of_rank(const unsigned int *v
   if (index_bits != 0u)
     i = voxc_m2_2_2_m2_2_2_m2_2_2_load_field(volume, fields, i, index_bits);
   uint bits = (head & 15u) + (head >> 4 & 15u) + (head >> 8 & 15u) + (head >> 12 & 15u);
-  return voxc_m2_2_2_m2_2_2_m2_2_2_value_of_item(voxc_m2_2_2_m2_2_2_m2_2_2_load_field(volume,
-      block + (head >> voxc_m2_2_2_m2_2_2_m2_2_2_ITEMS_SHIFT), i, bits), least, head);
+  // Items without bits take no words, and a field is read with the word behind it: behind the last block is one word
+  // alone.
+  uint items = bits != 0u ? head >> voxc_m2_2_2_m2_2_2_m2_2_2_ITEMS_SHIFT : 0u;
+  return voxc_m2_2_2_m2_2_2_m2_2_2_value_of_item(voxc_m2_2_2_m2_2_2_m2_2_2_load_field(volume, block + items, i, bits),
+      least, head);
 }
 
 // What a voxel is: here its value is its colour.

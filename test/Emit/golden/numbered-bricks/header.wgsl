@@ -537,8 +537,11 @@ fn voxc_m2_2_2_m2_2_2_m2_2_2_value_of_rank(volume: u32, rank: u32) -> u32 {
     i = voxc_m2_2_2_m2_2_2_m2_2_2_load_field(volume, fields, i, index_bits);
   }
   let bits = (head & 15u) + ((head >> 4u) & 15u) + ((head >> 8u) & 15u) + ((head >> 12u) & 15u);
-  return voxc_m2_2_2_m2_2_2_m2_2_2_value_of_item(voxc_m2_2_2_m2_2_2_m2_2_2_load_field(volume,
-      block + (head >> voxc_m2_2_2_m2_2_2_m2_2_2_ITEMS_SHIFT), i, bits), least, head);
+  // Items without bits take no words, and a field is read with the word behind it: behind the last block is one word
+  // alone.
+  let items = select(0u, head >> voxc_m2_2_2_m2_2_2_m2_2_2_ITEMS_SHIFT, bits != 0u);
+  return voxc_m2_2_2_m2_2_2_m2_2_2_value_of_item(voxc_m2_2_2_m2_2_2_m2_2_2_load_field(volume, block + items, i, bits),
+      least, head);
 }
 
 // What a voxel is: here its value is its colour.

@@ -421,7 +421,10 @@ uint value_of_rank(uint rank) {
   if (index_bits != 0u)
     i = load_field(fields, i, index_bits);
   uint bits = (head & 15u) + (head >> 4 & 15u) + (head >> 8 & 15u) + (head >> 12 & 15u);
-  return value_of_item(load_field(block + (head >> ITEMS_SHIFT), i, bits), least, head);
+  // Items without bits take no words, and a field is read with the word behind it: behind the last block is one word
+  // alone.
+  uint items = bits != 0u ? head >> ITEMS_SHIFT : 0u;
+  return value_of_item(load_field(block + items, i, bits), least, head);
 }
 
 // What a voxel is: here its value is its colour.

@@ -85,7 +85,7 @@ void voxc_d4_4_4_5_g4_march_level_1(const voxc_d4_4_4_5_g4_Ray ray, inout voxc_d
     int left) {
   const int side = 1 << voxc_d4_4_4_5_g4_LEVEL_1_LOG2_CELL;
   ivec3 face = voxc_d4_4_4_5_g4_corner_of(traversal.cell, voxc_d4_4_4_5_g4_LEVEL_1_LOG2_CELL) + (ray.ahead & side);
-  ivec3 corner;
+  ivec3 corner = face; // `left` is at least 1, which compilers cannot know.
   voxc_d4_4_4_5_g4_Exit leaving = voxc_d4_4_4_5_g4_Exit(0.0f, bvec3(false), true);
   // The condition stands at the head: Mesa 22.3's llvmpipe lets lanes that leave a loop further down run on.
   while (leaving.sure && left > 0) {

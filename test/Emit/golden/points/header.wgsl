@@ -96,7 +96,7 @@ fn voxc_d4_4_4_5_g4_march_level_1(ray: voxc_d4_4_4_5_g4_Ray, traversal: ptr<func
   let side = 1 << u32(voxc_d4_4_4_5_g4_LEVEL_1_LOG2_CELL);
   var face: vec3<i32> = voxc_d4_4_4_5_g4_corner_of((*traversal).cell,
       voxc_d4_4_4_5_g4_LEVEL_1_LOG2_CELL) + (ray.ahead & vec3<i32>(side));
-  var corner: vec3<i32>;
+  var corner: vec3<i32> = face; // `left` is at least 1, which compilers cannot know.
   var leaving: voxc_d4_4_4_5_g4_Exit = voxc_d4_4_4_5_g4_Exit(0.0f, vec3<bool>(false), true);
   // The condition stands at the head: Mesa 22.3's llvmpipe lets lanes that leave a loop further down run on.
   while (leaving.sure && left > 0) {

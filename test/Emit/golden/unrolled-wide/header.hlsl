@@ -352,8 +352,10 @@ uint voxc_g4_2_g2_value_of_rank(VOXC_VOLUME volume, uint rank) {
   if (index_bits != 0u)
     i = voxc_g4_2_g2_load_field(volume, fields, i, index_bits);
   uint bits = (head & 15u) + (head >> 4 & 15u) + (head >> 8 & 15u) + (head >> 12 & 15u);
-  return voxc_g4_2_g2_value_of_item(voxc_g4_2_g2_load_field(volume, block + (head >> voxc_g4_2_g2_ITEMS_SHIFT), i,
-      bits), least, head);
+  // Items without bits take no words, and a field is read with the word behind it: behind the last block is one word
+  // alone.
+  uint items = bits != 0u ? head >> voxc_g4_2_g2_ITEMS_SHIFT : 0u;
+  return voxc_g4_2_g2_value_of_item(voxc_g4_2_g2_load_field(volume, block + items, i, bits), least, head);
 }
 
 // What a voxel is: here its value is its colour.

@@ -385,8 +385,10 @@ fn voxc_g4_2_g2_value_of_rank(volume: u32, rank: u32) -> u32 {
     i = voxc_g4_2_g2_load_field(volume, fields, i, index_bits);
   }
   let bits = (head & 15u) + ((head >> 4u) & 15u) + ((head >> 8u) & 15u) + ((head >> 12u) & 15u);
-  return voxc_g4_2_g2_value_of_item(voxc_g4_2_g2_load_field(volume, block + (head >> voxc_g4_2_g2_ITEMS_SHIFT), i,
-      bits), least, head);
+  // Items without bits take no words, and a field is read with the word behind it: behind the last block is one word
+  // alone.
+  let items = select(0u, head >> voxc_g4_2_g2_ITEMS_SHIFT, bits != 0u);
+  return voxc_g4_2_g2_value_of_item(voxc_g4_2_g2_load_field(volume, block + items, i, bits), least, head);
 }
 
 // What a voxel is: here its value is its colour.
