@@ -102,7 +102,10 @@ Expected<std::string> makeScript(const Volume &volume, const PageContents &conte
   const bool isStreamed = contents.streamed.has_value();
   const auto shaders = VOXC_TRY(makeShaders(volume.format(), isStreamed, !contents.clip.cutsNothing()));
   std::string script =
-      "const scene = " + sceneOf(volume, contents).dump() + ";\nconst shaders = " + shaders.dump() + ";\n";
+      "const scene = " +
+      // An address may have bytes that are no UTF-8, which is none that a browser asks for either.
+      sceneOf(volume, contents).dump(-1, ' ', false, Json::error_handler_t::replace) +
+      ";\nconst shaders = " + shaders.dump() + ";\n";
   for (const std::string name : isStreamed ? std::span<const char *const>(kStreamedScripts) : kScripts)
     script += tersely(name + ".js");
   return script;

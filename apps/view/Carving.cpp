@@ -67,10 +67,10 @@ Expected<Carving> carve(Scene &scene, const Shot &shot) {
         failure = pressed.error();
   }
   const auto shown = VOXC_TRY(sculpture.show(*scene.tracer));
-  if (failure)
-    return *failure;
   if (carving.isChanged)
     scene.normals = std::make_unique<SurfaceNormals>(*sculpture.volume(), scene.threads);
+  if (failure)
+    return *failure;
   carving.copiedBytes = shown.copiedBytes;
   carving.voxels = sculpture.volume()->info().voxels;
   carving.bytes = sculpture.volume()->bytes();

@@ -41,15 +41,19 @@ std::uint64_t Painter::show(Shot shot) {
   return ++number_;
 }
 
-void Painter::ask(Question question) {
+void Painter::ask(Question question) { put(question_, std::move(question)); }
+
+void Painter::insist(Question question) { put(insisted_, std::move(question)); }
+
+void Painter::put(Question &place, Question question) {
   const std::lock_guard lock(mutex_);
-  question_ = std::move(question);
+  place = std::move(question);
   stop_ = stop_ || !refinement_.isFirst();
   changed_.notify_all();
 }
 
 void Painter::answer(std::unique_lock<std::mutex> &lock) {
-  const Question question = std::exchange(question_, nullptr);
+  const Question question = std::exchange(insisted_ ? insisted_ : question_, nullptr);
   const Shot shot = *shot_;
   lock.unlock();
   question(shot);
@@ -82,10 +86,11 @@ void Painter::paintStep(std::unique_lock<std::mutex> &lock) {
 void Painter::run() {
   std::unique_lock lock(mutex_);
   while (true) {
-    changed_.wait(lock, [this] { return isEnding_ || (shot_ && (question_ || refinement_.next())); });
+    changed_.wait(lock,
+                  [this] { return isEnding_ || (shot_ && (insisted_ || question_ || refinement_.next())); });
     if (isEnding_)
       return;
-    if (question_)
+    if (insisted_ || question_)
       answer(lock);
     else
       paintStep(lock);

@@ -40,6 +40,9 @@ public:
   /// is shown; of several questions the last is asked, and none before there is something to show.
   using Question = std::function<void(const Shot &shot)>;
   void ask(Question question);
+  /// The same, before any question that was asked so, none of which takes its place; only the next one of its
+  /// own kind does.
+  void insist(Question question);
 
   /// The newest painting that was not taken yet.
   std::optional<Painting> take() { return painting_.take(); }
@@ -48,6 +51,7 @@ private:
   void run();
   void paintStep(std::unique_lock<std::mutex> &lock);
   void answer(std::unique_lock<std::mutex> &lock);
+  void put(Question &place, Question question);
 
   std::function<void()> wake_;
   std::mutex mutex_;
@@ -57,7 +61,7 @@ private:
   std::optional<Shot> shot_;
   std::uint64_t number_ = 0;
   Refinement refinement_;
-  Question question_;
+  Question question_, insisted_;
   LatestValue<Painting> painting_;
   std::thread thread_; // The last: it uses all others.
 };

@@ -29,13 +29,25 @@ std::shared_ptr<const Scene> prefetchScene(const Model &model, Tracers &tracers)
 
 } // namespace
 
+Expected<Model> Scene::now() const {
+  Model model = this->model;
+  if (!sculpture)
+    return model;
+  model.isEdited = model.isEdited || sculpture->isEdited();
+  const auto frames = VOXC_TRY(sculpture->frozenFrames());
+  model.volume = frames ? frames : frozen();
+  return model;
+}
+
 Expected<std::shared_ptr<Scene>> makeScene(const SceneMaker &maker, const SceneWish &wish, const Scene *old,
                                            const Progress &progress) {
   auto scene = std::make_shared<Scene>();
   if (old && wish.format == old->model.text) {
-    scene->model = old->model;
-    scene->model.volume = old->frozen();
-  } else if (old && old->frozen() != old->model.volume) {
+    scene->model = VOXC_TRY(old->now());
+  } else if (old && old->model.isEdited) {
+    return Error::usage("the volume was edited before it went to this device; write it (F2), and open that "
+                        "file to see it in another format");
+  } else if (old && old->sculpture && old->sculpture->isEdited()) {
     return Error::usage(
         "the volume was edited in the format that is shown; undo all strokes (Z) to load another");
   } else {

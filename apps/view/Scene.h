@@ -24,6 +24,7 @@ struct Model {
   std::string text; ///< The format and its passes, as `FormatText` reads them.
   /// Of its words, if only pages of them are in memory, which the tracer alone has: the volume is an outline.
   std::uint64_t pagedBytes = 0;
+  bool isEdited = false; ///< It is not what its input holds any more.
 };
 
 /// What traces a model.
@@ -54,6 +55,8 @@ struct Scene {
     auto edited = sculpture ? sculpture->frozen() : nullptr;
     return edited ? edited : model.volume;
   }
+  /// The model with all that was done to it, and all its frames. Of any thread. Error: no addresses.
+  Expected<Model> now() const;
 };
 
 /// Makes what scenes are made of. The functions are called on a thread of the viewer, one call at a time.

@@ -35,14 +35,22 @@ Expected<void> Sculpture::prepare() {
 
 void Sculpture::begin() {
   const std::lock_guard lock(mutex_);
-  done_.push_back(edited_->snapshot());
-  undone_.clear();
+  isBeginning_ = true;
 }
 
 Expected<void> Sculpture::apply(VoxelChange &change) {
   const std::lock_guard lock(mutex_);
-  const auto report = edited_->apply(change);
-  return report ? Expected<void>() : report.error();
+  std::optional<EditableVolume::Snapshot> before;
+  if (isBeginning_)
+    before = edited_->snapshot();
+  if (const auto report = edited_->apply(change); !report)
+    return report.error();
+  if (before) {
+    isBeginning_ = false;
+    done_.push_back(*before);
+    undone_.clear();
+  }
+  return {};
 }
 
 bool Sculpture::undo() {
@@ -72,6 +80,7 @@ bool Sculpture::showFrame(std::size_t index) {
   frames_[frame_] = edited_->snapshot();
   edited_->restore(frames_[index]);
   frame_ = index;
+  keepsStrokes_ = hasStrokes();
   done_.clear();
   undone_.clear();
   return true;
@@ -87,7 +96,11 @@ std::vector<EditableVolume::Snapshot> Sculpture::framesNow() const {
 
 Expected<UpdateReport> Sculpture::show(Tracer &tracer) {
   const std::lock_guard lock(mutex_);
-  return tracer.follow(*edited_->volume(), edited_->takeChanges());
+  const std::vector<WordRange> changes = edited_->takeChanges();
+  auto report = tracer.follow(*edited_->volume(), changes);
+  if (!report)
+    edited_->putBackChanges(changes); // The device lacks them.
+  return report;
 }
 
 std::shared_ptr<const Volume> Sculpture::volume() const {
@@ -97,10 +110,15 @@ std::shared_ptr<const Volume> Sculpture::volume() const {
 
 std::shared_ptr<const Volume> Sculpture::frozen() const {
   const std::lock_guard lock(mutex_);
-  if (!edited_ || (done_.empty() && frame_ == 0))
+  if (!edited_ || (!hasStrokes() && frame_ == 0))
     return nullptr;
   auto view = edited_->view(edited_->snapshot());
   return view ? std::make_shared<const Volume>(std::move(*view)) : nullptr;
+}
+
+bool Sculpture::isEdited() const {
+  const std::lock_guard lock(mutex_);
+  return hasStrokes();
 }
 
 Expected<std::shared_ptr<const Volume>> Sculpture::frozenFrames() const {

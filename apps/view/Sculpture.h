@@ -47,7 +47,7 @@ public:
 
   /// Copies the volume, if that is not done yet. Errors: as of `EditableVolume::create`.
   Expected<void> prepare();
-  /// Begins what is undone as a whole.
+  /// Begins what is undone as a whole, if anything is applied.
   void begin();
   /// Errors: as of `EditableVolume::apply`.
   Expected<void> apply(VoxelChange &change);
@@ -62,20 +62,25 @@ public:
 
   /// The volume as it is now; it is right until the next deed.
   std::shared_ptr<const Volume> volume() const;
-  /// The same, which stays as it is. Null if nothing was edited. Of any thread.
+  /// The same, which stays as it is. Null if it is that of the beginning. Of any thread.
   std::shared_ptr<const Volume> frozen() const;
+  /// Whether any frame has strokes that were not undone. Of any thread.
+  bool isEdited() const;
   /// All frames as they are now, in one volume, if there are several; else null. Of any thread. Error: no
   /// addresses.
   Expected<std::shared_ptr<const Volume>> frozenFrames() const;
 
 private:
   std::vector<EditableVolume::Snapshot> framesNow() const;
+  bool hasStrokes() const { return !done_.empty() || keepsStrokes_; }
 
   std::shared_ptr<const Volume> first_;
   mutable std::mutex mutex_; ///< Guards all that follows.
   std::vector<Deed> deeds_;
   mutable std::optional<EditableVolume> edited_;
   std::vector<EditableVolume::Snapshot> undone_, done_; ///< States to go back to, and on to.
+  bool isBeginning_ = false;                            ///< The next stamp is the first of a stroke.
+  bool keepsStrokes_ = false;                           ///< Of frames that were left.
   const std::size_t frameCount_;
   std::size_t frame_ = 0;
   std::vector<EditableVolume::Snapshot> frames_; ///< As they were when another was chosen.

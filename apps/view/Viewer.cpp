@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 namespace voxc::view {
 namespace {
@@ -83,6 +84,7 @@ void Viewer::request(const SceneWish &wish) {
   });
   state_.work = "begin";
   isLoading_ = true;
+  editsAtLoad_ = edits_;
 }
 
 /// What has been asked for last does not come any more. Precondition: there is a scene.
@@ -109,6 +111,8 @@ void Viewer::fail(const Error &error) {
 void Viewer::takeLoaded(Loaded loaded) {
   if (!isLoading_) // It came as it was stopped.
     return;
+  if (edits_ != editsAtLoad_) // What came has not all strokes.
+    return request(wish_);
   state_.work.clear();
   isLoading_ = false;
   if (!loaded.scene) {
@@ -124,15 +128,17 @@ void Viewer::takeLoaded(Loaded loaded) {
   state_.format = scene_->model.text;
   state_.device = scene_->device;
   state_.size = sizeText(scene_->model);
-  state_.frame = 0;
+  const std::size_t frame = std::exchange(state_.frame, 0);
   state_.frames = scene_->sculpture ? scene_->sculpture->frames() : 1;
   isPlaying_ = isPlaying_ && state_.frames > 1;
   log_.tell("scene " + state_.format + " on " + state_.device + ": " + state_.size);
-  if (!loaded.placed)
+  if (!loaded.placed) {
     show();
-  else if (loaded.placed->isAuto)
+    chooseFrame(frame); // If it has that one, too.
+  } else if (loaded.placed->isAuto) {
     log_.tell("view " + loaded.placed->view +
               (loaded.placed->view == "inside" ? "; V looks from outside" : ""));
+  }
 }
 
 /// What is to be seen now.
@@ -298,7 +304,10 @@ void Viewer::nextDevice() {
 }
 
 void Viewer::nextPoint(int step) {
-  const auto next = options_.search.nextLeading(options_.search.find(wish_.format), step);
+  // A wish that is no point, as the first one or one that failed, leaves the scene where it is.
+  const auto wished = options_.search.find(wish_.format);
+  const auto from = wished ? wished : options_.search.find(state_.format);
+  const auto next = options_.search.nextLeading(from, step);
   if (next)
     load(options_.search.points[*next].text);
 }

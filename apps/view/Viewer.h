@@ -178,6 +178,7 @@ private:
   std::optional<Waiting> waiting_;
   std::optional<Stopwatch> acted_; ///< Since a brush did what no picture shows yet.
   Brush brush_;
+  std::size_t edits_ = 0, editsAtLoad_ = 0; ///< That were asked for or done; and when a load was begun.
   bool isPlaying_ = false;
   double playedSeconds_ = 0; ///< Since the frame was chosen.
 

@@ -4,6 +4,8 @@
 #include "view/Carving.h"
 #include "view/Words.h"
 
+#include <variant>
+
 namespace voxc::view {
 
 void Viewer::setBrush(const Brush &brush) {
@@ -73,16 +75,29 @@ void Viewer::act(Deed deed) {
     return fail(Error::usage("a volume in pages cannot be edited; open it without --device-memory"));
   if (!acted_)
     acted_.emplace();
+  if (!std::holds_alternative<Prepare>(deed) && !std::holds_alternative<ShowFrame>(deed))
+    ++edits_;
   scene_->sculpture->add(std::move(deed));
-  painter_.ask([this, scene = scene_](const Shot &shot) {
-    if (shot.scene == scene)
-      carving_.put(carve(*scene, shot));
+  // A question that came later would leave what is to be done undone.
+  painter_.insist([this, scene = scene_](const Shot &shot) {
+    if (shot.scene != scene)
+      return;
+    Expected<Carving> carving = carve(*scene, shot);
+    // What was not taken yet is to be seen, too.
+    if (const auto before = carving_.take(); before && *before && carving) {
+      carving->isChanged |= (*before)->isChanged;
+      carving->stamps += (*before)->stamps;
+    }
+    carving_.put(std::move(carving));
   });
 }
 
 void Viewer::takeCarving(const Expected<Carving> &carving) {
-  if (!carving)
+  if (!carving) {
+    show(); // What was done until then; and frames go on.
     return fail(carving.error());
+  }
+  edits_ += std::size_t(carving->stamps);
   log_.note("carved " + std::to_string(carving->stamps) + " stamps, " + std::to_string(carving->copiedBytes) +
             " bytes to the device, " + std::to_string(carving->voxels) + " voxels");
   if (!carving->isChanged) {

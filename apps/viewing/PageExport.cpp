@@ -21,7 +21,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
+#include <vector>
 
 namespace voxc::tool {
 namespace {
@@ -155,6 +157,11 @@ Expected<void> PageExport::check(const std::string &path) const {
 Expected<void> PageExport::stream(const Volume &volume, const std::string &source,
                                   page::PageContents &contents) const {
   const auto file = VOXC_TRY(PagedVolume::open(source));
+  // Browsers read the words as they are in the file, which begin with the first frame.
+  std::vector<std::byte> first(file.streams().front().bytesOf(0));
+  VOXC_TRY(file.decode(0, 0, first));
+  if (std::memcmp(first.data(), volume.words().data(), sizeof(std::uint32_t)) != 0)
+    return Error::usage("a page with --url shows the first frame alone; leave out the frame or --url");
   page::StreamedVolume streamed;
   streamed.url = url_;
   streamed.headBytes = file.headBytes();

@@ -1,22 +1,39 @@
 // Reads a volume by ranges of bytes, and hands its pages on: in a worker, which is told what is wanted.
 function readPages(volume, digest, unzstd) {
   const { url, name, headBytes, fileBytes, checksum, pageBytes, bytes } = volume;
-  const REQUESTS = 6, MOST_BYTES = 1 << 18, GAP_BYTES = 1 << 14, TRIES = 3;
+  const REQUESTS = 6, MOST_BYTES = 1 << 18, GAP_BYTES = 1 << 14, TRIES = 3, SILENCE_MILLISECONDS = 30000;
   const sleep = milliseconds => new Promise(done => setTimeout(done, milliseconds));
   const pages = Math.ceil(bytes / pageBytes), ends = new Float64Array(pages + 1), sums = new BigUint64Array(pages);
   const onTheirWay = new Set();
   let queue = [], requests = 0, mostGap = GAP_BYTES, isOpen = false;
 
-  // The head of an answer and, of a part, its bytes, on whose way a line can break too.
+  // The bytes of an answer; `heard` is called whenever some have come.
+  async function bytesOf(told, heard) {
+    const pieces = [], stream = told.body.getReader();
+    for (let piece; !(piece = await stream.read()).done; heard()) pieces.push(piece.value);
+    return new Uint8Array(await new Blob(pieces).arrayBuffer());
+  }
+
+  // The head of an answer and, of a part, its bytes, on whose way a line can break too. A server that says nothing for a while has ended.
   async function answer(from, to) {
-    for (let left = TRIES; ; left--)
+    for (let left = TRIES; ; left--) {
+      const ending = new AbortController();
+      let clock;
+      const heard = () => {
+        clearTimeout(clock);
+        clock = setTimeout(() => ending.abort(), SILENCE_MILLISECONDS);
+      };
       try {
-        const told = await fetch(url, { headers: { Range: `bytes=${from}-${to - 1}` }, cache: "no-store" });
-        return [told, told.status === 206 ? new Uint8Array(await told.arrayBuffer()) : []];
+        heard();
+        const told = await fetch(url, { headers: { Range: `bytes=${from}-${to - 1}` }, cache: "no-store", signal: ending.signal });
+        return [told, told.status === 206 ? await bytesOf(told, heard) : []];
       } catch (problem) {
         if (left <= 1) throw new Error(`${name} cannot be read at ${url}: there is no such server, it is down, or it does not let this page read from it`);
         await sleep(500);
+      } finally {
+        clearTimeout(clock);
       }
+    }
   }
 
   async function range(from, to) {

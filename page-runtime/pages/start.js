@@ -1,6 +1,7 @@
 // Begins to read pages before anything else: what the first picture looks at, most important first.
 
-const pageOfHere = location.pathname.split("/").pop(), volumeUrl = new URL(scene.volume.name, document.baseURI);
+// A server is never told what stands behind a #, so one in an address is of a file's name.
+const pageOfHere = location.pathname.split("/").pop(), volumeUrl = new URL(scene.volume.name.replaceAll("#", "%23"), document.baseURI);
 if (volumeUrl.protocol === "file:")
   throw new Error(`browsers let no page read files beside it: have a server that answers HTTP range requests serve this folder, such as ` +
     `busybox httpd -f -p 8000, and open http://localhost:8000/${pageOfHere}`);

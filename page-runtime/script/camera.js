@@ -76,24 +76,25 @@ const camera = {
     this.look = add(add(add(this.look, right, x * far), up, y * far), front, this.isParallel ? 0 : z * far);
     if (this.isParallel && z) this.approach(1 + z);
   },
-  // Comes so many times as near; what is looked at recedes from an eye that would meet it.
+  // Comes so many times as near; what is looked at recedes from an eye that would meet it. A camera that began further off stays there.
   approach(times) {
     if (this.isParallel) {
-      this.half = Math.min(Math.max(this.half / times, size / 10000), size * 20);
+      this.half = Math.min(Math.max(this.half / times, Math.min(size / 10000, this.half)), Math.max(size * 20, this.half));
       return;
     }
     const least = size / 50, eye = this.eye();
     const next = this.distance / times;
     if (times > 1 && next < least) this.look = add(eye, this.axes().front, this.distance + least / 2);
-    else this.distance = Math.min(next, size * 20);
+    else this.distance = Math.min(next, Math.max(size * 20, this.distance));
   },
   aim(eye, look) {
     if (this.isParallel) {
       this.look = [...look];
       return;
     }
-    const way = add(look, eye, -1);
-    this.distance = Math.hypot(...way);
+    const way = add(look, eye, -1), distance = Math.hypot(...way);
+    if (!distance) return; // The eye stands in the voxel that is looked at: there is no direction.
+    this.distance = distance;
     this.look = [...look];
     this.yaw = Math.atan2(way[0], way[2]);
     this.pitch = Math.asin(way[1] / this.distance);

@@ -29,6 +29,18 @@ function programsOf(precision) {
   })();
 }
 
+// Those of the precision that was chosen. Where the device does not take the exact kernel, the page goes on with the fast one and says why.
+async function chosenPrograms() {
+  const chosen = precision;
+  try {
+    return await programsOf(chosen);
+  } catch (problem) {
+    if (chosen === "fast") throw problem;
+    if (precision === chosen) choose("fast", `; the exact kernel is not taken here: ${problem.message}`);
+    return programsOf("fast");
+  }
+}
+
 async function answers(precision) {
   const programs = await programsOf(precision);
   return Object.assign(programs, { answer: await programs.answering() });
@@ -108,6 +120,7 @@ async function takeQuickPicture(programs, films) {
 
 async function checkHere() {
   const checked = precision, errors = await errorsHere(await answers(checked), checks);
+  if (loss) throw loss; // What it answers then is nothing.
   if (precision !== checked) return;
   document.documentElement.dataset.checked = JSON.stringify({ precision, ...errors });
   tellArithmetic(errors);
@@ -118,8 +131,9 @@ async function show() {
   const films = {};
   let restsSince = 0, part = 1, film = null, isChecked = null;
   for (;;) {
-    const programs = await programsOf(precision);
+    const programs = await chosenPrograms();
     await nextFrame();
+    if (loss) throw loss;
     while (asking) await asking;
     if (moved) {
       moved = false;
@@ -195,7 +209,13 @@ async function choosePrecision(isLast) {
   return true;
 }
 
-const tellLoss = () => element("status").textContent = "The graphics device was lost; load the page again.";
+// A lost device draws nothing, whatever it is told, and raises no errors; that of a canvas that was given up may go.
+let loss = null;
+const lossOf = own => () => {
+  if (own !== canvas) return;
+  loss = new Error("the graphics device was lost; load the page again");
+  wake();
+};
 
 // A canvas draws by one kind of device alone.
 function renewCanvas() {
@@ -230,8 +250,8 @@ async function start() {
   if (matchMedia("(max-width: 600px)").matches) element("about").open = false;
   await chooseDevice();
   element("device").textContent = device.name;
-  await programsOf(precision);
+  await chosenPrograms();
   Object.assign(document.documentElement.dataset, { ready: precision, device: device.name });
   await show();
 }
-return start();
+return start().catch(problem => { throw loss || problem; });

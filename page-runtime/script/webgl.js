@@ -5,7 +5,7 @@ function makeWebGl() {
   if (!gl) throw new Error("this browser has no WebGL 2");
   const parallel = gl.getExtension("KHR_parallel_shader_compile"), language = "essl", texts = shaders[language], most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
   const PLACES_A_ROW = 4096;
-  canvas.addEventListener("webglcontextlost", tellLoss);
+  canvas.addEventListener("webglcontextlost", lossOf(canvas));
 
   // Waits until the device has done all that it was told, and tells how long that took in milliseconds.
   async function finished() {

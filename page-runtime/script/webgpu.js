@@ -9,7 +9,7 @@ async function makeWebGpu() {
   const { queue } = gpu, language = "wgsl", texts = shaders[language], context = canvas.getContext("webgpu");
   if (!context) throw new Error("this browser has no WebGPU");
   context.configure({ device: gpu, format: "rgba8unorm", alphaMode: "opaque" });
-  gpu.lost.then(tellLoss);
+  gpu.lost.then(lossOf(canvas));
   let wordBuffer = null;
 
   // Waits until the device has done all that it was told, and tells how long that took in milliseconds.

@@ -8,6 +8,8 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <string>
+#include <vector>
 
 namespace voxc::view {
 namespace {
@@ -101,6 +103,27 @@ TEST_F(PainterTest, AFinerStepIsEndedByTheNextShot) {
   const Painting draft = next();
   EXPECT_EQ(draft.number, second);
   EXPECT_TRUE(draft.step.isDraft);
+}
+
+TEST_F(PainterTest, WhatIsInsistedOnIsAskedWhateverIsAskedLater) {
+  std::mutex mutex;
+  std::vector<std::string> asked;
+  const auto question = [&](const char *name) {
+    return [&, name](const Shot &) {
+      const std::lock_guard lock(mutex);
+      asked.emplace_back(name);
+    };
+  };
+  // There is nothing to show yet, so that all wait.
+  painter_->insist(question("replaced"));
+  painter_->ask(question("replaced"));
+  painter_->insist(question("first"));
+  painter_->ask(question("second"));
+  painter_->show(shot_);
+  gate_->leave(1);
+  next();
+  const std::lock_guard lock(mutex);
+  EXPECT_EQ(asked, (std::vector<std::string>{"first", "second"}));
 }
 
 TEST_F(PainterTest, AQuestionEndsAFinerStepAndPaintingGoesOnAfterIt) {
