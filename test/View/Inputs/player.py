@@ -48,6 +48,10 @@ with Viewer([voxc, "view", volume, "--fps", "20", *COMMON], (800, 600)) as viewe
     print(viewer.wait("^stopped playing"))
     viewer.key("F2")
     print(viewer.wait("^saved ").replace(folder + os.sep, ""))
+    viewer.key("g")
+    viewer.wait("^scene ")
+    viewer.key("Next", "Prior")
+    print("another device has", viewer.wait("^frame ")[-4:])
     viewer.key("Escape", "Escape")
     print("exit code", viewer.end())
     complaints = [line for line in viewer.text().splitlines() if "Validation" in line or "VUID" in line]
