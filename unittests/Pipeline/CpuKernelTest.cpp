@@ -139,6 +139,13 @@ TEST_F(CpuKernels, GiveTheHitsOfVulkanAndTheOracleOnRandomFormats) {
   }
 }
 
+TEST_F(CpuKernels, ReadNothingBehindValuesThatAreAllAlike) {
+  Format format = *parseFormat("M(2^3) M(2^3)");
+  Diagnostics diagnostics;
+  ASSERT_EQ(findPass("values-apart")->run(format, diagnostics), PassResult::Changed);
+  expectHits(format, {"full", [](Int3) { return 0xff302010u; }, {}, format.extent()}, 5);
+}
+
 TEST_F(CpuKernels, GiveTheSameHitsWithEveryTraversal) {
   const Format format = *parseFormat("S(2) D(1^3, 2) G(3)");
   expectSameHitsOfAllTraversals(format, test::hardScenes(format.extent())[6], 20000);
