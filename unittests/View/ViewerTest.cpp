@@ -237,7 +237,7 @@ TEST_F(ViewerTest, GoesAlongTheFrontierOfASearch) {
   options.search.points = {{"G(4)", 100, 1, true}, {"S(4)", 200, 0.5, false}, {"R(4, 4, 4)", 300, 2, true}};
   begin(std::move(options));
   finest();
-  viewer_->press(Action::NextPoint);
+  viewer_->press(Action::PreviousPoint); // From the format that is shown.
   EXPECT_THAT(wait("scene"), StartsWith("scene G(4) on"));
   viewer_->press(Action::NextPoint);
   EXPECT_THAT(wait("scene"), StartsWith("scene R(4, 4, 4) on"));
