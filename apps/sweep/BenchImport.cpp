@@ -133,6 +133,7 @@ Record BenchImportCommand::makeRecord(const Record &base, const Findings &findin
   record.kernel = {};
   record.work = {};
   record.error = {};
+  record.predicted.reset();
   const auto figure = [&](const char *key) {
     return figures.contains(key) && figures[key].is_number() ? Figure(figures[key].get<double>())
                                                              : std::nullopt;

@@ -52,6 +52,7 @@ Explored FormatSearch::explore(std::vector<Candidate> seeds, const TimeBudget &b
   Progress bounded = budget.within(progress);
   if (options_.onlySeeds) {
     options.mostFormats = seeds.size();
+    options.near = 0; // Nothing is rewritten, also where several seeds have one plan.
     options.kept = std::numeric_limits<double>::infinity();
   } else {
     const double most =

@@ -12,14 +12,23 @@
 namespace voxc::measure {
 namespace {
 
-/// "model name : ..." of the first processor, or the architecture where there is no such line.
+/// "model name : ..." of the first processor, or its numbers where there is no such line, as on aarch64.
 std::string processorName() {
   std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);)
+  std::string numbers;
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t colon = line.find(": ");
+    if (colon == std::string::npos)
+      continue;
     if (line.starts_with("model name"))
-      if (const std::size_t colon = line.find(": "); colon != std::string::npos)
-        return line.substr(colon + 2);
-  return "unknown";
+      return line.substr(colon + 2);
+    if (line.starts_with("CPU implementer") && !numbers.empty())
+      break; // That of the next processor.
+    if (line.starts_with("CPU implementer") || line.starts_with("CPU variant") ||
+        line.starts_with("CPU part"))
+      numbers += (numbers.empty() ? "" : " ") + line.substr(colon + 2);
+  }
+  return numbers.empty() ? "unknown" : "ARM " + numbers;
 }
 
 } // namespace

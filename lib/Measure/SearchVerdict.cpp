@@ -91,7 +91,9 @@ bool areAsFast(const Finalist &a, const Finalist &b) {
 /// "16 KiB", "2 MiB", for powers of two.
 std::string powerText(double bytes) {
   constexpr double kMebibyte = 1 << 20;
-  return bytes < kMebibyte ? print("%g KiB", bytes / 1024) : print("%g MiB", bytes / kMebibyte);
+  return bytes < 1024        ? print("%g bytes", bytes)
+         : bytes < kMebibyte ? print("%g KiB", bytes / 1024)
+                             : print("%g MiB", bytes / kMebibyte);
 }
 
 class Asking {
@@ -208,7 +210,9 @@ Json toJson(const SearchVerdict &verdict) {
 
 std::string verdictSize(double bytes) {
   constexpr double kMebibyte = 1 << 20;
-  return bytes < kMebibyte ? print("%.1f KiB", bytes / 1024) : print("%.2f MiB", bytes / kMebibyte);
+  return bytes < 1024        ? print("%.0f bytes", bytes)
+         : bytes < kMebibyte ? print("%.1f KiB", bytes / 1024)
+                             : print("%.2f MiB", bytes / kMebibyte);
 }
 
 std::string plainName(const std::string &format, std::span<const std::string> passes) {

@@ -25,6 +25,9 @@ FormatPredictor::FormatPredictor(const ModelledScene &scene) : scene_(scene), sh
 
 std::optional<PredictedFormat> FormatPredictor::predict(Candidate candidate, std::span<const RaySet> rays,
                                                         const SpeedModel &model, std::uint64_t maxBytes) {
+  const Int3 held = candidate.format.extent();
+  if (held.x < scene_.extent.x || held.y < scene_.extent.y || held.z < scene_.extent.z)
+    return std::nullopt;
   const Layout layout = layoutOf(candidate.format);
   const bool inPlace = kindOf(layout.payload).varies && !layout.ranksVoxels();
   if (inPlace && !colours_)
@@ -32,6 +35,9 @@ std::optional<PredictedFormat> FormatPredictor::predict(Candidate candidate, std
   auto price = inPlace ? colours_->price(layout) : shapes_.price(layout, scene_.valueWords);
   if (!price || price->words() > std::min(layout.maxWords(), maxBytes / sizeof(std::uint32_t)))
     return std::nullopt;
+  // Values apart are counted as colours, of four bytes or of a palette.
+  if (layout.payload == Payload::Rgb565 || layout.payload == Payload::Material)
+    price->exact &= !layout.ranksVoxels();
   PredictedFormat format{std::move(candidate), std::move(*price), {}, {}};
   format.factor = lookUpFactor(layout.strata);
   simulateAgain(format, rays, model);

@@ -72,8 +72,9 @@ void SceneValues::add(std::span<const std::uint32_t> cells) {
 
 Expected<SceneValues::Cheapest> SceneValues::finish() {
   const auto plain = VOXC_TRY(stores_->plain->finish());
-  const auto colours = static_cast<std::uint32_t>(stores_->palette->values.colours());
   const auto palette = stores_->palette->finish();
+  // Those of the last block are there only now.
+  const auto colours = static_cast<std::uint32_t>(stores_->palette->values.colours());
   if (!palette || *palette >= plain || colours == 0)
     return Cheapest{plain, 0};
   return Cheapest{*palette, std::max(static_cast<int>(std::bit_width(colours - 1)), 1)};

@@ -58,6 +58,13 @@ Expected<SearchScene> readWith(SceneDag::Detail detail, const std::string &name,
 
 int log2SideOf(const Candidate &candidate) { return maxComponent(candidate.format.log2Extent()); }
 
+/// Whether it holds the scene, and wastes no height.
+bool isOfSize(const Candidate &candidate, const SearchScene &scene) {
+  const Int3 held = candidate.format.extent();
+  return log2SideOf(candidate) <= scene.shape.log2Side() && held.x >= scene.extent.x &&
+         held.y >= scene.extent.y && held.z >= scene.extent.z;
+}
+
 std::string sideText(int log2Side) { return std::to_string(std::uint64_t{1} << log2Side); }
 
 } // namespace
@@ -90,19 +97,21 @@ std::vector<std::string> formatsOfOtherSizes(const std::vector<Candidate> &candi
                                              const SearchScene &scene) {
   std::vector<std::string> others;
   for (const Candidate &candidate : candidates)
-    if (log2SideOf(candidate) != scene.shape.log2Side() &&
-        (others.empty() || others.back() != candidate.text))
+    if (!isOfSize(candidate, scene) && (others.empty() || others.back() != candidate.text))
       others.push_back(candidate.text);
   return others;
 }
 
 Error explainNone(const std::vector<Candidate> &candidates, const SearchScene &scene) {
-  const auto fits = [&](const Candidate &candidate) {
-    return log2SideOf(candidate) == scene.shape.log2Side();
-  };
+  const auto fits = [&](const Candidate &candidate) { return isOfSize(candidate, scene); };
   if (candidates.empty() || std::ranges::any_of(candidates, fits))
-    return Error::input("no format takes so few bytes as --max-bytes allows; a lower resolution would");
+    return Error::input("no format takes so few bytes as --max-bytes allows, or without it a volume; a lower "
+                        "resolution would");
   const Candidate &first = candidates.front();
+  if (log2SideOf(first) == scene.shape.log2Side()) // A side alone is as long.
+    return Error::input("no format of the list is of the scene's size: '" + first.text + "' has " +
+                        extentText(first.format.extent()) + " voxels, but the scene takes " +
+                        extentText(scene.extent));
   const bool isSmaller = log2SideOf(first) < scene.shape.log2Side();
   return Error::input("no format of the list is of the scene's size: '" + first.text + "' has " +
                       sideText(log2SideOf(first)) + " voxels a side, " + (isSmaller ? "fewer" : "more") +

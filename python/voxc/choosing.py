@@ -27,7 +27,8 @@ def suggest(input: Union[str, os.PathLike], *, objective: Optional[str] = None, 
 
     Formats of more than `max_bytes` are left out; with `formats` only these are rated. `rays` is an array of voxc.RAY, or a pair of origins and
     directions, in place of those of a camera and from surface to surface. `editable` keeps to formats whose volumes can be edited in place.
-    Other options are those of an input, as of voxc.build, with a `resolution` of 512 by default. ValueError: no such format or objective."""
+    Other options are those of an input, as of voxc.build, with a `resolution` of 512 by default. UsageError: no such objective; InputError: no such format,
+    or none that holds the input."""
     return _rows(c.lib.voxc_suggest, "suggest", input, input_options, progress, _predicted,
                  dict(objective=objective, max_bytes=max_bytes, device=device, formats=formats, rays=rays, editable=int(editable),
                       threads=threads, memory_bytes=memory_bytes))
@@ -58,10 +59,14 @@ def _rows(function, name, input, input_options, progress, speeds, asked):
     refuse_unknown(name, input_options, INPUT_OPTIONS)
     told, reporter = Told(), c.Reporter(progress)
     listed = [asked["formats"]] if isinstance(asked["formats"], str) else asked["formats"]
-    formats = None if listed is None else [c.text(text) for text in listed]
+    formats = None if listed is None else [c.needed(text, "a format") for text in listed]
     if formats == []:
         raise ValueError(f"{name} has no formats to choose among; None are those that it knows")
+    if asked["max_bytes"] is not None and asked["max_bytes"] == 0:
+        raise ValueError("max_bytes is 1 or more; None is no bound")
     rays = None if asked["rays"] is None else rays_as_given(asked["rays"])
+    if rays is not None and rays.size == 0:
+        raise ValueError(f"{name} has no rays; None are those that it makes")
     texts = {key: c.text(asked.pop(key, None)) for key in ("objective", "device", "precision")}
     del asked["formats"], asked["rays"]
     options = c.options(c.ChoiceOptions, progress=reporter.pointer, **texts, **asked)

@@ -41,6 +41,7 @@ struct ModelledScene {
   const SceneDag &shape;
   const SceneDag *colours = nullptr; ///< Null: formats with colours in place are left out.
   std::uint64_t valueWords = 0;      ///< Of values apart.
+  Int3 extent{};                     ///< That a format has to hold.
 };
 
 /// Rates formats over one scene. What formats have in common is counted once.

@@ -27,7 +27,7 @@ struct SearchScene {
   std::uint64_t valueWords = 0; ///< Of values apart; 0 if all have one.
   CandidateTraits traits;
 
-  ModelledScene modelled() const { return {shape, colours ? &*colours : nullptr, valueWords}; }
+  ModelledScene modelled() const { return {shape, colours ? &*colours : nullptr, valueWords, extent}; }
 };
 
 /// Reads a scene, twice if its colours are more than the memory holds: `open` opens it anew. `name` is what
@@ -42,7 +42,7 @@ Expected<SearchScene> readSearchScene(const std::string &name,
 Expected<std::vector<Candidate>> candidatesOf(const std::vector<std::string> &texts,
                                               const SearchScene &scene);
 
-/// Those whose sides are not the scene's, so that they cannot hold it or waste a height.
+/// Those that cannot hold it, or waste a height.
 std::vector<std::string> formatsOfOtherSizes(const std::vector<Candidate> &candidates,
                                              const SearchScene &scene);
 

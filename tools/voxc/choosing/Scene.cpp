@@ -51,7 +51,7 @@ void noteOtherSizes(const std::vector<Candidate> &candidates, const SearchScene 
                     const CommonOptions &common) {
   const std::vector<std::string> others = formatsOfOtherSizes(candidates, scene);
   const auto fits = [&](const Candidate &candidate) {
-    return maxComponent(candidate.format.log2Extent()) == scene.shape.log2Side();
+    return std::ranges::find(others, candidate.text) == others.end();
   };
   if (!others.empty() && !common.quiet && std::ranges::any_of(candidates, fits))
     printNote("formats that are not of " + std::to_string(std::uint64_t{1} << scene.shape.log2Side()) +

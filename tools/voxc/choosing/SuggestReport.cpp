@@ -88,7 +88,9 @@ std::string suggestReport(const Suggestion &suggestion, bool all) {
     text += besides("fastest", *fastest, choice);
   if (smallest->bytes() < choice.bytes())
     text += besides("smallest", *smallest, choice);
-  text += print("  of %zu formats, priced to the word; ", suggestion.rated.size()) + trustIn(suggestion);
+  text += print("  of %zu formats, %s; ", suggestion.rated.size(),
+                choice.price.exact ? "priced to the word" : "this one priced nearly to the word") +
+          trustIn(suggestion);
   if (all)
     text += table(suggestion);
   return text + "\n" + buildCommand(suggestion.input, suggestion.arguments, choice.candidate) + "\n";
