@@ -29,14 +29,15 @@ std::optional<PredictedFormat> FormatPredictor::predict(Candidate candidate, std
   if (held.x < scene_.extent.x || held.y < scene_.extent.y || held.z < scene_.extent.z)
     return std::nullopt;
   const Layout layout = layoutOf(candidate.format);
-  const bool inPlace = kindOf(layout.payload).varies && !layout.ranksVoxels();
+  const PayloadKind &payload = kindOf(layout.payload);
+  const bool inPlace = payload.varies && !layout.ranksVoxels();
   if (inPlace && !colours_)
     return std::nullopt;
   auto price = inPlace ? colours_->price(layout) : shapes_.price(layout, scene_.valueWords);
   if (!price || price->words() > std::min(layout.maxWords(), maxBytes / sizeof(std::uint32_t)))
     return std::nullopt;
   // Values apart are counted as colours, of four bytes or of a palette.
-  if (layout.payload == Payload::Rgb565 || layout.payload == Payload::Material)
+  if (payload.labels || payload.code)
     price->exact &= !layout.ranksVoxels();
   PredictedFormat format{std::move(candidate), std::move(*price), {}, {}};
   format.factor = lookUpFactor(layout.strata);

@@ -1,6 +1,7 @@
 // Reading a scene into a graph.
 #include "voxc/Search/SearchScene.h"
 
+#include "Source/GridExtent.h"
 #include "voxc/Layout/Stratum.h"
 #include "voxc/Search/SceneValues.h"
 
