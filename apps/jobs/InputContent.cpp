@@ -1,10 +1,11 @@
 // The content of an input, with the files that it refers to.
 #include "jobs/InputContent.h"
 
+#include "common/Interrupt.h"
 #include "options/InputArguments.h"
-#include "voxc/IR/Limits.h"
 #include "voxc/Input/NumberedPaths.h"
 #include "voxc/Measure/Digest.h"
+#include "voxc/Support/Geometry.h"
 #include "voxc/Volume/Volume.h"
 
 #include <algorithm>
@@ -39,17 +40,20 @@ std::string kindOf(const std::string &input) {
 }
 
 /// What the content of an input names. Nothing but its own reader knows that, so it is opened, at the least
-/// cost.
+/// cost. What cannot be read names nothing: whoever builds it will say why. Error: `Interrupted`.
 Expected<std::vector<std::string>> filesNamedBy(const std::string &input) {
   constexpr int kMostSide = 1 << kMaxLog2Extent;
   InputArguments coarsest;
   coarsest.resolution = 1;
   coarsest.isAutomatic = false;
-  const InputOptions options = makeInputOptions(coarsest, {kMostSide, kMostSide, kMostSide});
+  InputOptions options = makeInputOptions(coarsest, {kMostSide, kMostSide, kMostSide});
+  options.progress.stop = &catchInterrupts();
   if (!mayHaveSeveralFiles(input, options))
     return std::vector<std::string>();
-  auto opened = VOXC_TRY(openInput(input, options));
-  return std::move(opened.files);
+  auto opened = openInput(input, options);
+  if (!opened && opened.error().kind == ErrorKind::Interrupted)
+    return opened.error();
+  return opened ? std::move(opened->files) : std::vector<std::string>();
 }
 
 } // namespace

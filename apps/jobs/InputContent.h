@@ -24,7 +24,8 @@ Expected<std::vector<ContentFile>> contentFiles(const std::string &input, std::s
 std::string fileOf(const std::string &input);
 
 /// Digest of an input's content: its file, or all that its pattern names, a volume's journal, and the files
-/// that are read with it, as an .obj's materials and textures. Error: `Input` if a file cannot be read.
+/// that are read with it, as an .obj's materials and textures. Errors: `Input` if a file cannot be
+/// read, `Interrupted`.
 Expected<std::string> contentDigest(const std::string &input);
 
 } // namespace voxc::tool

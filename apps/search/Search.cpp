@@ -183,8 +183,8 @@ Expected<void> SearchCommand::measure(const bench::SweepAxes &axes, measure::For
   if ((!measured && (!isInterrupted || !hasFound)) || options_.shares.share())
     return measured;
   if (measured && !hasFound)
-    return search.loop()->isComplete() ? tooSlow(*search.acquisition())
-                                       : tooShort("the first format was built");
+    return options_.leastSpeed > 0 && search.loop()->isComplete() ? tooSlow(*search.acquisition())
+                                                                  : tooShort("the first format was built");
   Expected<void> told = tell({axes, rated, search}, figures);
   // The answer stands without what the next search would begin with.
   const std::string &device = axes.devices.front().part.name;

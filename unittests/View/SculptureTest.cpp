@@ -28,6 +28,12 @@ Model animated() {
   return {std::make_shared<const Volume>(std::move(built->volume)), format, "R(4, 4, 4)"};
 }
 
+SceneMaker animatedMaker() {
+  SceneMaker maker = hillMaker();
+  maker.makeModel = [](const std::string &, const Progress &) -> Expected<Model> { return animated(); };
+  return maker;
+}
+
 /// Sets one voxel, as a stroke of its own.
 void strike(Sculpture &sculpture, Int3 voxel) {
   sculpture.begin();
@@ -66,8 +72,7 @@ TEST(Sculpture, StrokesOfFramesThatWereLeftAreKept) {
 }
 
 TEST(Sculpture, AnotherDeviceHasAllFramesAndStrokes) {
-  SceneMaker maker = hillMaker();
-  maker.makeModel = [](const std::string &, const Progress &) -> Expected<Model> { return animated(); };
+  const SceneMaker maker = animatedMaker();
   const auto first = *makeScene(maker, {}, nullptr, {});
   ASSERT_TRUE(first->sculpture->prepare());
   ASSERT_TRUE(first->sculpture->showFrame(1));
@@ -87,8 +92,7 @@ TEST(Sculpture, AnotherDeviceHasAllFramesAndStrokes) {
 }
 
 TEST(Sculpture, AFrameThatIsLookedAtIsNoEdit) {
-  SceneMaker maker = hillMaker();
-  maker.makeModel = [](const std::string &, const Progress &) -> Expected<Model> { return animated(); };
+  const SceneMaker maker = animatedMaker();
   const auto first = *makeScene(maker, {}, nullptr, {});
   ASSERT_TRUE(first->sculpture->prepare());
   ASSERT_TRUE(first->sculpture->showFrame(1));
