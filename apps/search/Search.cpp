@@ -114,6 +114,7 @@ Expected<void> SearchCommand::tell(const Told &told, Json &figures) {
                             .rated = told.rated,
                             .kept = told.search.acquisition()->formats().size(),
                             .seconds = watch_.seconds(),
+                            .isInterrupted = progress_.stopped(),
                             .leastSpeed = options_.leastSpeed,
                             .acquisition = *told.search.acquisition(),
                             .loop = *told.search.loop(),

@@ -116,8 +116,11 @@ std::string searchReport(const SearchResult &result) {
                            static_cast<unsigned long long>(verdict.checkedRays));
   if (const double factor = verdict.worstFactor(); factor > 0)
     text += print("; speeds of the best predicted within a factor of %.2f", factor);
-  text += result.loop.isComplete() ? "\nnothing that was not measured promises more\n"
-                                   : "\nthe budget ended first: run the command again to go on\n";
+  if (result.loop.isComplete())
+    text += "\nnothing that was not measured promises more\n";
+  else
+    text += print("\n%s: run the command again to go on\n",
+                  result.isInterrupted ? "it was interrupted" : "the budget ended first");
   if (verdict.frontier.empty())
     return text;
   text += table(verdict) + "\n" + answers(verdict);

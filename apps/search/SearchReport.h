@@ -18,7 +18,8 @@ struct SearchResult {
   std::size_t rated = 0;         ///< Formats of which size and speed were predicted,
   std::size_t kept = 0;          ///< and those that came near the frontier.
   double seconds = 0;
-  double leastSpeed = 0; ///< That was asked for, in million rays a second.
+  bool isInterrupted = false; ///< By the user, before the budget ended.
+  double leastSpeed = 0;      ///< That was asked for, in million rays a second.
   const Acquisition &acquisition;
   const measure::SearchLoop &loop;
   const measure::SearchVerdict &verdict;

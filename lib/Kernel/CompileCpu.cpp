@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 namespace voxc {
 namespace {
@@ -74,12 +73,6 @@ Expected<JitCode> codeOf(const Plan &plan, std::string text, const CpuKernelOpti
   return JitCode::link(object, plan.layout.format, std::move(later));
 }
 
-bool isIdentifier(const std::string &name) {
-  const auto fits = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
-  return !name.empty() && !std::isdigit(static_cast<unsigned char>(name[0])) &&
-         std::ranges::all_of(name, fits);
-}
-
 } // namespace
 
 Expected<CpuKernel> compileCpuKernel(const Format &format, const CpuKernelOptions &options) {
@@ -108,7 +101,7 @@ Expected<std::string> compileCpuObject(const Format &format, const CpuObjectOpti
 }
 
 Expected<std::string> compileCpuObject(const Plan &plan, const CpuObjectOptions &options) {
-  if (!isIdentifier(options.symbol))
+  if (!isFunctionName(options.symbol))
     return Error::usage("'" + options.symbol + "' is no name of a C function");
   if (!kHasVariants && options.system == ObjectSystem::Windows)
     return Error::usage("objects for Windows are made on x86-64 processors, which it runs on");

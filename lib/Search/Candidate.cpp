@@ -1,6 +1,8 @@
 // Formats that are worth a look.
 #include "voxc/Search/Candidate.h"
 
+#include "voxc/Layout/Edits.h"
+#include "voxc/Layout/Layout.h"
 #include "voxc/Passes/Pass.h"
 
 #include <algorithm>
@@ -95,6 +97,9 @@ Expected<Candidate> makeCandidate(const std::string &text, const CandidateTraits
     applyPass(candidate, "octant-masks");
   if (!choices.traversal.empty())
     applyPass(candidate, std::string(choices.traversal));
+  if (const std::string reason = traits.editable ? whyNoEdits(layoutOf(candidate.format)) : "";
+      !reason.empty())
+    return Error::input("'" + text + "' cannot be edited: " + reason);
   return candidate;
 }
 

@@ -46,6 +46,18 @@ TEST(Candidates, SmallGridsStandAsIsChosen) {
   }
 }
 
+TEST(Candidates, ThoseToEditCanBeEdited) {
+  const auto apart = makeCandidate("G(6)", {.paletteBits = 5}, {});
+  ASSERT_TRUE(apart) << apart.error().message;
+  const std::string text = printIr(apart->format);
+  EXPECT_TRUE(makeCandidate(text, {}, {})) << text;
+  const auto edited = makeCandidate(text, {.editable = true}, {});
+  ASSERT_FALSE(edited);
+  EXPECT_NE(edited.error().message.find("cannot be edited: values stand apart"), std::string::npos)
+      << edited.error().message;
+  EXPECT_TRUE(makeCandidate("G(6)", {.editable = true}, {}));
+}
+
 class SuggestTest : public testing::Test {
 protected:
   SuggestTest() : dag_(*SceneDag::build(**makeBuiltinSource("terrain", 64), {})) {

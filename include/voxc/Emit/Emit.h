@@ -35,6 +35,9 @@ std::vector<EmbeddedFile> constructHeadersOf(std::string_view text);
 /// intersect.glsl: a complete compute shader; one function a level, a unit and a root function.
 std::string emitIntersect(const Plan &plan);
 
+/// Whether a function of both C and C++ may have this name: an identifier of ASCII, no keyword, and not main.
+bool isFunctionName(std::string_view name);
+
 /// intersect.cpp: the same functions in C++, one ray at a time, behind one extern "C" function named `symbol`
 /// of the type `CpuKernel::Function`. Needs only `intersectHeaders()` beside it. The plan's addressing plays
 /// no part: the words lie in one array. `countWords`: the kernel counts the words that each ray reads, and no

@@ -54,7 +54,8 @@ struct CpuObjectOptions {
 
 /// Emits and compiles the kernel of `format` to a relocatable object file, which needs no
 /// library but C's for mathematics; `emitIntersectHeader` declares what is in it. Errors: `symbol` is no
-/// identifier, or the system has other processors than this one (`Usage`); Clang knows no such processor
+/// `isFunctionName`, or the system has other processors than this one (`Usage`); Clang knows no such
+/// processor
 /// (`Input`).
 Expected<std::string> compileCpuObject(const Format &format, const CpuObjectOptions &options = {});
 

@@ -27,7 +27,8 @@ struct CandidateTraits {
 };
 
 /// A candidate of this text, with the passes that make any format smaller or faster, and with those of the
-/// choices as far as its levels allow it. Errors: those of the text.
+/// choices as far as its levels allow it. Errors: those of the text; its
+/// volumes cannot be edited, where they should be.
 Expected<Candidate> makeCandidate(const std::string &text, const CandidateTraits &traits,
                                   const FormatChoices &choices);
 

@@ -151,6 +151,8 @@ Expected<std::string> makeGlsl(Generator &generator) {
 }
 
 Expected<std::string> makeCpp(Generator &generator) {
+  if (!isFunctionName(generator.choices().cpu.symbol))
+    return Error::usage("'" + generator.choices().cpu.symbol + "' is no name of a C function");
   return printed(generator.plans().cpu(),
                  [&](const Plan &plan) { return emitIntersectCpp(plan, generator.choices().cpu.symbol); });
 }
