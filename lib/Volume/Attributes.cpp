@@ -4,6 +4,7 @@
 #include "Decode.h"
 #include "StreamTable.h"
 
+#include "voxc/Volume/CoarseBlocks.h"
 #include "voxc/Volume/Frames.h"
 
 namespace voxc {
@@ -29,6 +30,8 @@ std::string describeProblem(const Volume &volume, const Attribute &attribute) {
   if (isReserved(attribute.name))
     return "an attribute cannot be called '" + attribute.name + "', as the " + attribute.name +
            " of the volume are";
+  if (coarseSideOf(attribute.name))
+    return "an attribute cannot be called '" + attribute.name + "', as coarse blocks of a volume are";
   if (!isStreamName(attribute.name))
     return "'" + attribute.name +
            "' is no name of an attribute; it has 1 to 31 of a to z, 0 to 9 and '-', the first a letter";

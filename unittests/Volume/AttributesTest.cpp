@@ -69,6 +69,7 @@ TEST_F(VolumeFile, TakesNoAttributeThatIsNone) {
   };
   EXPECT_THAT(errorWith({"words", 1, bytesOf({1})}), HasSubstr("cannot be called 'words'"));
   EXPECT_THAT(errorWith({"frames", 1, bytesOf({1})}), HasSubstr("cannot be called 'frames'"));
+  EXPECT_THAT(errorWith({"coarse-8", 1, bytesOf({1})}), HasSubstr("as coarse blocks of a volume are"));
   EXPECT_THAT(errorWith({"Weight", 1, bytesOf({1})}), HasSubstr("is no name"));
   EXPECT_THAT(errorWith({"a-name-that-is-longer-than-thirty-one", 1, bytesOf({1})}), HasSubstr("is no name"));
   EXPECT_THAT(errorWith({"a", 0, {}}), HasSubstr("1 to 256 bytes, not 0"));
