@@ -78,6 +78,10 @@ private:
   /// picture: a frame before that would take time from it.
   void wake() { frames_ = kFramesOfInput; }
 
+  /// Where a place in the window lies in the picture: on scaled desktops a unit there can be several pixels.
+  glm::dvec2 toPixels(glm::dvec2 place) const;
+  void stroke(bool isFirst);
+
   /// Whether the button that is down edits.
   bool strokes() const { return viewer_.isBrushing() && button_ == GLFW_MOUSE_BUTTON_LEFT; }
 
@@ -95,7 +99,7 @@ private:
   int frames_ = kFramesOfInput;    ///< That are to be drawn.
   int button_ = -1;                ///< That went down on the picture; -1: none.
   std::vector<Released> released_; ///< Since the last frame.
-  glm::dvec2 mouse_{}, pressed_{};
+  glm::dvec2 mouse_{}, pressed_{}; ///< In the window's own coordinates.
   bool isDragging_ = false;
   bool isPictureNew_ = false; ///< It was not presented yet.
 };
@@ -136,6 +140,18 @@ void Window::releaseLate() {
     ImGui_ImplGlfw_KeyCallback(handle_.get(), key.key, key.code, GLFW_RELEASE, key.modifiers);
 }
 
+glm::dvec2 Window::toPixels(glm::dvec2 place) const {
+  glm::ivec2 window{}, picture{};
+  glfwGetWindowSize(handle_.get(), &window.x, &window.y);
+  glfwGetFramebufferSize(handle_.get(), &picture.x, &picture.y);
+  return place * glm::dvec2(picture) / glm::dvec2(glm::max(window, 1));
+}
+
+void Window::stroke(bool isFirst) {
+  const glm::ivec2 pixel = toPixels(mouse_);
+  viewer_.stroke(pixel.x, pixel.y, isFirst);
+}
+
 void Window::onButton(int button, int event, int modifiers) {
   wake();
   ImGui_ImplGlfw_MouseButtonCallback(handle_.get(), button, event, modifiers);
@@ -144,10 +160,12 @@ void Window::onButton(int button, int event, int modifiers) {
     pressed_ = mouse_;
     isDragging_ = false;
     if (strokes())
-      viewer_.stroke(int(pressed_.x), int(pressed_.y), true);
+      stroke(true);
   } else if (event == GLFW_RELEASE && button == button_) {
-    if (!isDragging_ && button == GLFW_MOUSE_BUTTON_LEFT && !strokes())
-      viewer_.click(int(pressed_.x), int(pressed_.y));
+    if (!isDragging_ && button == GLFW_MOUSE_BUTTON_LEFT && !strokes()) {
+      const glm::ivec2 pixel = toPixels(pressed_);
+      viewer_.click(pixel.x, pixel.y);
+    }
     button_ = -1;
   }
 }
@@ -161,9 +179,11 @@ void Window::onMove(double column, double row) {
     return;
   isDragging_ = isDragging_ || glm::distance(place, pressed_) >= kClick;
   if (strokes())
-    viewer_.stroke(int(column), int(row), false);
-  else if (isDragging_)
-    viewer_.drag(column - before.x, row - before.y, button_ != GLFW_MOUSE_BUTTON_LEFT);
+    stroke(false);
+  else if (isDragging_) {
+    const glm::dvec2 way = toPixels(place - before);
+    viewer_.drag(way.x, way.y, button_ != GLFW_MOUSE_BUTTON_LEFT);
+  }
 }
 
 void Window::onScroll(double right, double up) {
