@@ -49,7 +49,7 @@ std::size_t indexOf(const PlyElement &element, const PlyHeader &header) {
 }
 
 /// Which rows of a file are taken.
-enum class Rows { All, Vertices, Others };
+enum class RowsRead { All, Vertices, Others };
 
 class SceneBuilder {
 public:
@@ -95,12 +95,12 @@ public:
   }
 
   /// Adds the rows of all elements, or some of them, from this file, whoever opened it.
-  Expected<void> addAll(PlyReader &reader, Rows rows) {
+  Expected<void> addAll(PlyReader &reader, RowsRead rows) {
     return reader.readRows(
         [&](const PlyElement &element, std::uint64_t index, const PlyRow &row) -> Expected<void> {
           const PlyElement &own = header_.elements[indexOf(element, reader.header())];
-          const Rows kind = &own == &vertices_.element() ? Rows::Vertices : Rows::Others;
-          if (rows == Rows::All || rows == kind)
+          const RowsRead kind = &own == &vertices_.element() ? RowsRead::Vertices : RowsRead::Others;
+          if (rows == RowsRead::All || rows == kind)
             add(own, index, row);
           return problem_ ? Expected<void>(problem_.error()) : Expected<void>();
         });
@@ -252,10 +252,10 @@ Expected<TriangleScene> readPlyScene(const MeshInput &input) {
   Expected<void> read;
   if (hasFacesFirst) {
     auto ahead = VOXC_TRY(reader.reopened());
-    read = builder.addAll(ahead, Rows::Vertices);
+    read = builder.addAll(ahead, RowsRead::Vertices);
   }
   if (read)
-    read = builder.addAll(reader, hasFacesFirst ? Rows::Others : Rows::All);
+    read = builder.addAll(reader, hasFacesFirst ? RowsRead::Others : RowsRead::All);
   if (builder.problem() && builder.problem().error().kind == ErrorKind::Input)
     return reader.broken(builder.problem().error().message);
   if (!read)
