@@ -27,7 +27,7 @@ sources() {
   find lib/Support lib/Source lib/Oracle lib/Mesh/Obj lib/Mesh/Ply lib/Mesh/Stl lib/Mesh/Solid \
     lib/Mesh/Voxelize lib/Input/Points lib/Trace/Rays/Camera.cpp testing/HardRays testing/HardScenes.cpp testing/Digests -name '*.cpp' |
     grep -v -E "lib/Source/(Export/|ReduceColours)|lib/Support/Platform/Windows"
-  ls lib/Mesh/*.cpp lib/Input/Openers/InputText.cpp | grep -v SceneLoader
+  ls lib/Mesh/*.cpp lib/Input/Openers/InputText.cpp lib/Input/Openers/Units.cpp | grep -v SceneLoader
 }
 
 # What is compiled in one go: a dozen files, those of a folder apart, as first builds do (cmake/VoxcFirstBuild.cmake).
