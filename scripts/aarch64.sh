@@ -36,7 +36,8 @@ test_part() { # PART: a share of its tests on each core.
   cores=$(nproc)
   rm -f "$there/$1".*.log
   for ((share = 0; share < cores; share++)); do
-    GTEST_TOTAL_SHARDS=$cores GTEST_SHARD_INDEX=$share emulated "$there/bin/voxc-test-$1" --gtest_filter="-$left_out" \
+    mkdir -p "$out/$share" # Two shares may write files of the same names.
+    TMPDIR=$PWD/$out/$share GTEST_TOTAL_SHARDS=$cores GTEST_SHARD_INDEX=$share emulated "$there/bin/voxc-test-$1" --gtest_filter="-$left_out" \
       > "$there/$1.$share.log" 2>&1 &
     jobs+=($!)
   done
