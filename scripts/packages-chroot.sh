@@ -21,6 +21,7 @@ arguments() {
   case $1 in
   path-tracer) echo picture.png 64 36 4 ;;
   host-device) echo picture.png 64 36 ;;
+  instances) echo "$desk/terrain.hvx" cpu 100 ;;
   engine) echo --help ;; # No device of Debian 12's has its pipelines: scripts/engine-chroot.sh.
   esac
 }
@@ -64,6 +65,7 @@ print(volume, picture.shape)' "$desk/python.png"
 say "Examples"
 install $(cd "$root" && ls ./debs/libvoxc-dev_*.deb) gcc g++ cmake ninja-build mesa-vulkan-drivers \
   $(dpkg-deb --field "$build"/libvoxc-dev_*.deb Recommends | tr -d ,)
+inside voxc build 'R(3, 3, 3) G(3)' builtin:terrain -o "$desk/terrain.hvx" --quiet
 for example in "$root"/usr/share/doc/voxc/examples/*; do
   name="$(basename "$example")"
   made="$desk/$name"
