@@ -53,13 +53,16 @@ using Memory = std::shared_ptr<WorkingMemory>;
 void compareVoxelizers(const Scene &scene, const VoxelizeOptions &options, const Memory &memory) {
   const auto quick = makeMeshSource(scene, options, memory);
   const auto simple = makeReferenceMeshSource(*scene, options);
-  expect(quick && simple);
+  expect(bool(quick) == bool(simple));
+  if (!quick) // No triangle has an area.
+    return;
   expect(wordsOf(**quick) == wordsOf(**simple));
 }
 
 void compareInsides(const Scene &scene, VoxelizeOptions options, const Memory &memory) {
   auto quick = makeMeshSource(scene, options, memory);
-  expect(bool(quick));
+  if (!quick) // No triangle has an area.
+    return;
   const Words surface = wordsOf(**quick);
   const auto filled = fillMesh(*scene, options, std::move(*quick), kFill, {memory});
   expect(bool(filled));
