@@ -57,6 +57,20 @@ TEST_F(PlyPoints, ReadsAscii) {
             kTwoVoxels);
 }
 
+TEST_F(PlyPoints, IntegersHaveAtMost32Bits) {
+  const std::string properties = "property int x\nproperty int y\nproperty int z\nproperty uint rgba\n";
+  const auto coloured = [&](const std::string &colour) {
+    return header("ascii", "1", properties) + "1 2 3 " + colour + "\n";
+  };
+  for (const char *colour : {"4278255873", "-16711423"})
+    EXPECT_EQ(voxels(coloured(colour)), (Voxels{{mortonCode({1, 2, 3}), rgba(0, 1, 1)}})) << colour;
+  for (const char *colour : {"4294967296", "-2147483649", "1e20", "inf", "nan", "0.5"}) {
+    auto input = open(coloured(colour));
+    ASSERT_FALSE(input) << colour;
+    EXPECT_NE(input.error().message.find("row 0 of 'vertex'"), std::string::npos) << input.error().message;
+  }
+}
+
 TEST_F(PlyPoints, ReadsBothByteOrders) {
   for (const bool big : {false, true}) {
     std::string bytes = header(big ? "binary_big_endian" : "binary_little_endian", "2", kIndexProperties);

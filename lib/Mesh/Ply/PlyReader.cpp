@@ -28,6 +28,10 @@ constexpr std::array<double (*)(const char *), 8> kDecode{
     decode<std::int8_t>,  decode<std::uint8_t>,  decode<std::int16_t>, decode<std::uint16_t>,
     decode<std::int32_t>, decode<std::uint32_t>, decode<float>,        decode<double>};
 
+/// Whether an integer of PLY, of at most 32 bits, could have this value; texts mix those with a sign and
+/// without.
+bool fitsInteger(double value) { return value == std::floor(value) && value >= -0x1p31 && value < 0x1p32; }
+
 } // namespace
 
 PlyReader::PlyReader(std::string path, MappedFile file)
@@ -114,7 +118,7 @@ bool PlyReader::readText(PlyType type, double &value) {
   rest_.remove_prefix(word.size());
   const auto parsed = parseNumber(word);
   value = parsed.value_or(0);
-  return parsed && (!isInteger(type) || value == std::floor(value));
+  return parsed && (!isInteger(type) || fitsInteger(value));
 }
 
 bool PlyReader::readBinary(PlyType type, double &value) {
