@@ -62,8 +62,8 @@ TEST_F(PlyPoints, IntegersHaveAtMost32Bits) {
   const auto coloured = [&](const std::string &colour) {
     return header("ascii", "1", properties) + "1 2 3 " + colour + "\n";
   };
-  for (const char *colour : {"4278255873", "-16711423"})
-    EXPECT_EQ(voxels(coloured(colour)), (Voxels{{mortonCode({1, 2, 3}), rgba(0, 1, 1)}})) << colour;
+  for (const char *colour : {"4278256131", "-16711165"})
+    EXPECT_EQ(voxels(coloured(colour)), (Voxels{{mortonCode({1, 2, 3}), rgba(1, 2, 3)}})) << colour;
   for (const char *colour : {"4294967296", "-2147483649", "1e20", "inf", "nan", "0.5"}) {
     auto input = open(coloured(colour));
     ASSERT_FALSE(input) << colour;
