@@ -50,6 +50,7 @@ const glsl::Names kCalled = {"RETRY",
                              "deferred_traversal",
                              "load_direction",
                              "load_origin",
+                             "load_word/1", // Of two overloads; where a volume has pages, it is a member.
                              "narrow",
                              "resolve_cell",
                              "resolve_step",

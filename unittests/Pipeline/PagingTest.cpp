@@ -77,6 +77,18 @@ TEST_F(Paging, GivesTheHitsOfResidentVolumesInRandomFormats) {
   }
 }
 
+/// Of one level, nothing but the packets asks for a word by its granule alone.
+TEST_F(Paging, GivesTheHitsOfOneLevelThatCountsGranules) {
+  for (const char *text :
+       {"format granule=2 { level 1: raw(5, 5, 5) }", "format granule=4 { level 1: distance(5, 5, 5, 4) }"}) {
+    const Format format = *parseFormat(text);
+    const HardScene scene = noise(format.extent(), 5);
+    const auto volume = build(format, scene);
+    ASSERT_TRUE(volume) << volume.error().message;
+    expectSameEverywhere(*volume, paged(*volume), format, verifyRays(scene.extent, 600, 5));
+  }
+}
+
 /// Far more pages than there is room for.
 TEST_F(Paging, LetsPagesComeAndGo) {
   for (const char *text :

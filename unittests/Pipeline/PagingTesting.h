@@ -77,7 +77,7 @@ using MadeTracer = Expected<std::unique_ptr<PagedTracer>>;
 
 inline CpuKernel cpuKernel(const Format &format) {
   const auto kernel = compileCpuKernel(format, {.addressing = Addressing::Paged, .start = CpuStart::Fast});
-  EXPECT_TRUE(kernel);
+  EXPECT_TRUE(kernel) << (kernel ? std::string() : kernel.error().message + printIr(format));
   return *kernel;
 }
 
