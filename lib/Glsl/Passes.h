@@ -27,8 +27,9 @@ void fold(Module &module, const Constants &constants);
 
 /// Takes away functions, structs, constants and variables that nothing from `roots` on names; parameters,
 /// members and variables of functions that nothing reads; what is written to them; and calls that do nothing.
-/// Overloads are told apart by how many parameters they have. Roots keep their
-/// parameters and members; ".cell" is a member that is read elsewhere.
+/// Overloads are told apart by how many parameters they have, and a root may be one of them: "cell/1" has one
+/// parameter. Roots that are names alone keep their parameters and members; ".cell" is a member that is read
+/// elsewhere.
 void dropUnused(Module &module, const Names &roots);
 
 /// Puts a prefix before the names of all functions, structs, constants and variables that stand outermost,

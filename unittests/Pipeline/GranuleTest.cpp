@@ -1,6 +1,7 @@
 // References that count granules: the same voxels and hits as without, wherever in a volume nodes lie, past
 // 2^32 words too.
 #include "GranuleTesting.h"
+#include "NewFolder.h"
 #include "TestLength.h"
 
 #include "testing/HardScenes.h"
@@ -200,17 +201,21 @@ TEST(Granules, ReachPastTwoToThe32WordsInRandomFormats) {
 
 TEST(Granules, ReachPastTwoToThe32WordsOnVulkan) {
   // What is empty is one segment of 1 GiB; the nodes lie across the border of two others, which goes through
-  // a large one of them.
+  // a large one of them. To find that out, the tracer reads all of it: of a file, whose pages can be dropped
+  // again, while some kernels keep a page of memory for each that was read.
   constexpr std::uint64_t kBorder = (std::uint64_t{1} << 32) + kSegmentWords;
+  const auto folder = newFolder("voxc-granules");
   for (const char *text : {"R(1^3) R(3^3)", "D(1^3, 3) G(3)"}) {
     const Format format = withGranule(*parseFormat(text), "2");
     const HardScene scene = sceneOf(format, 5);
     const auto near = build(format, scene);
     ASSERT_TRUE(near) << near.error().message;
-    const auto volume = build(format, scene, kBorder - near->words().size() / 2);
+    const auto path = (folder / "far.hvx").string();
+    const auto volume = build(format, scene, kBorder - near->words().size() / 2, path);
     ASSERT_TRUE(volume) << volume.error().message;
     expectExactOnVulkan(*volume, scene, Addressing::Segments);
   }
+  std::filesystem::remove_all(folder);
 }
 
 /// Words today, with a reference in each half of those that gathers reach, which have signed offsets.

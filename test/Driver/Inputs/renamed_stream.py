@@ -12,8 +12,8 @@ rows = [row for row in range(168, 168 + 56 * streams, 56) if data[row : row + 32
 assert len(rows) == 1
 data[rows[0] : rows[0] + 32] = to.encode().ljust(32, b"\0")
 
-hash = ctypes.CDLL(ctypes.util.find_library("xxhash")).XXH3_64bits
-hash.restype, hash.argtypes = ctypes.c_uint64, [ctypes.c_char_p, ctypes.c_size_t]
+checksum = ctypes.CDLL(ctypes.util.find_library("xxhash")).XXH3_64bits
+checksum.restype, checksum.argtypes = ctypes.c_uint64, [ctypes.c_char_p, ctypes.c_size_t]
 others = bytes(data[:16] + data[24:])
-struct.pack_into("<Q", data, 16, hash(others, len(others)))
+struct.pack_into("<Q", data, 16, checksum(others, len(others)))
 open(path, "wb").write(data)
