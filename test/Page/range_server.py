@@ -1,6 +1,7 @@
 """A static server that answers HTTP range requests at a given speed, by the standard library alone; and ways to go wrong."""
 import contextlib
 import http.server
+import os
 import re
 import socket
 import threading
@@ -44,28 +45,32 @@ class Handler(http.server.BaseHTTPRequestHandler):
         asked = re.fullmatch(r"bytes=(\d+)-(\d+)", self.headers.get("Range", ""))
         if not path.is_file():
             return self.send_error(404)
-        size = path.stat().st_size
-        begin, end = 0, size
-        if asked and server.knows_ranges:
-            begin, end = int(asked[1]), min(int(asked[2]) + 1, size)
+        with contextlib.suppress(ConnectionError), path.open("rb") as file:
+            self.send_file(file, asked if server.knows_ranges else None)
+
+    def send_file(self, file, asked):
+        """The file or a part of it, as long as it was when it was opened."""
+        server, size = self.server, os.fstat(file.fileno()).st_size
+        begin, end = (int(asked[1]), min(int(asked[2]) + 1, size)) if asked else (0, size)
         with server.lock:
             server.requests.append((self.path, begin, end))
-        if begin >= size > 0:
-            return self.send_error(416)
-        isPart = asked and server.knows_ranges
-        self.send_response(206 if isPart else 200)
-        self.send_header("Content-Type", "text/html" if path.suffix == ".html" else "application/octet-stream")
+        if asked and begin >= size:
+            self.send_response(416)
+            self.send_header("Content-Range", f"bytes */{size}")
+            self.send_header("Content-Length", "0")
+            return self.end_headers()
+        self.send_response(206 if asked else 200)
+        self.send_header("Content-Type", "text/html" if self.path.endswith(".html") else "application/octet-stream")
         self.send_header("Content-Length", str(end - begin))
-        if isPart:
+        if asked:
             self.send_header("Content-Range", f"bytes {begin}-{end - 1}/{size}")
         self.end_headers()
-        with contextlib.suppress(ConnectionError), open(path, "rb") as file:
-            file.seek(begin)
-            while begin < end:
-                piece = file.read(min(PIECE, end - begin))
-                server.line.take(len(piece))
-                self.wfile.write(piece)
-                begin += len(piece)
+        file.seek(begin)
+        while begin < end and (piece := file.read(min(PIECE, end - begin))):
+            server.line.take(len(piece))
+            self.wfile.write(piece)
+            begin += len(piece)
+        self.close_connection = begin < end # A file that was cut meanwhile: no other answer can follow.
 
 
 @contextlib.contextmanager

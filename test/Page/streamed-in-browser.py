@@ -193,9 +193,16 @@ class StreamedPages(unittest.TestCase):
 
     def test_says_that_a_file_changes_or_a_server_ends(self):
         good = self.volume.read_bytes()
-        # Cut where the pages begin, so that what has not been read is not there any more.
-        for change, words in ((lambda: self.volume.write_bytes(good[:-4096] + bytes(4096)), "has changed while it was read"),
-                              (lambda: self.volume.write_bytes(good[:len(good) // 2]), "was cut short"),
+
+        def replace(contents): # At once, so that no answer is made of a file that is half written.
+            other = self.folder / "other.hvx"
+            other.write_bytes(contents)
+            other.replace(self.volume)
+
+        # Cut in the middle of the pages, so that what has not been read is not there any more or lies behind the end.
+        for change, words in ((lambda: replace(good[:-4096] + bytes(4096)), "has changed while it was read"),
+                              (lambda: replace(good[:len(good) // 2]), "was cut short"),
+                              (lambda: replace(good[:1]), "was cut short"),
                               (lambda: self.line.close(), "cannot be read at")):
             page, _ = streamed(self.volume, "--device-memory", "400KiB") # So that it asks again.
             try:
