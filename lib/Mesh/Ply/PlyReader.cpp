@@ -125,13 +125,14 @@ bool PlyReader::readBinary(PlyType type, double &value) {
   const std::size_t size = byteSize(type);
   if (rest_.size() < size)
     return false;
-  std::array<char, 8> bytes;
+  std::array<char, 8> bytes{};
   rest_.copy(bytes.data(), size);
   rest_.remove_prefix(size);
   constexpr bool kNativeLittle = std::endian::native == std::endian::little;
-  if ((header_.encoding == PlyEncoding::LittleEndian) != kNativeLittle)
-    std::reverse(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
-  value = kDecode[static_cast<std::size_t>(type)](bytes.data());
+  const bool isSwapped = (header_.encoding == PlyEncoding::LittleEndian) != kNativeLittle;
+  if (isSwapped)
+    std::reverse(bytes.begin(), bytes.end()); // The value's bytes are the last ones then.
+  value = kDecode[static_cast<std::size_t>(type)](bytes.data() + (isSwapped ? bytes.size() - size : 0));
   return true;
 }
 
