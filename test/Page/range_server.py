@@ -70,7 +70,8 @@ class Handler(http.server.BaseHTTPRequestHandler):
             server.line.take(len(piece))
             self.wfile.write(piece)
             begin += len(piece)
-        self.close_connection = begin < end # A file that was cut meanwhile: no other answer can follow.
+        if begin < end:
+            self.close_connection = True # The file was cut meanwhile, and its reader still waits for the rest: no other answer can follow.
 
 
 @contextlib.contextmanager

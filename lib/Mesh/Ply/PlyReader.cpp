@@ -130,8 +130,9 @@ bool PlyReader::readBinary(PlyType type, double &value) {
   rest_.remove_prefix(size);
   constexpr bool kNativeLittle = std::endian::native == std::endian::little;
   const bool isSwapped = (header_.encoding == PlyEncoding::LittleEndian) != kNativeLittle;
+  // All eight, of which the value's are the last then: g++ 12 takes fewer for a write behind them.
   if (isSwapped)
-    std::reverse(bytes.begin(), bytes.end()); // The value's bytes are the last ones then.
+    std::reverse(bytes.begin(), bytes.end());
   value = kDecode[static_cast<std::size_t>(type)](bytes.data() + (isSwapped ? bytes.size() - size : 0));
   return true;
 }
