@@ -50,6 +50,21 @@ int compare_moment_by_doubles(const Ray ray, int axis, int face, uint moment) {
   return order_decided(ray, axis, moment, apart > bound, apart < -bound, to_face.is_exact);
 }
 
+// The same by sums of two float32 (pairs.glsl), of which both products are 2^-44 wrong at most. The direction is the scaled one, and the
+// moment counts in it.
+int compare_moment_by_pairs(const Ray ray, int axis, int face, uint moment) {
+  uvec3 size = ray.given_direction & ~SIGN_BIT;
+  uint longest = max(max(size.x, size.y), size.z);
+  float t = uintBitsToFloat(moment) * uintBitsToFloat(longest & INFINITY_BITS);
+  float speed = float(ray.direction[axis]);
+  Pair to_face = exact_sum(float(face), -uintBitsToFloat(ray.given_origin[axis]));
+  precise float way = t * speed;
+  float apart = (to_face.high - way) + (to_face.low - lost_of(way, t, speed));
+  float bound = (abs(to_face.high) + abs(way)) * ERROR_BOUND;
+  bool is_in_range = ray.is_moderate && t > 1e-9f && t < 1e12f;
+  return order_decided(ray, axis, moment, is_in_range && apart > bound, is_in_range && apart < -bound, false);
+}
+
 // The same by float32, whose distance and way are rounded once each.
 int compare_moment_by_floats(const Ray ray, int axis, int face, uint moment) {
   float distance = float(face) - uintBitsToFloat(ray.given_origin[axis]);
@@ -59,7 +74,9 @@ int compare_moment_by_floats(const Ray ray, int axis, int face, uint moment) {
 }
 
 int compare_moment(const Ray ray, int axis, int face, uint moment) {
-  return IEEE ? compare_moment_by_doubles(ray, axis, face, moment) : compare_moment_by_floats(ray, axis, face, moment);
+  if (IEEE)
+    return compare_moment_by_doubles(ray, axis, face, moment);
+  return NEAREST ? compare_moment_by_pairs(ray, axis, face, moment) : compare_moment_by_floats(ray, axis, face, moment);
 }
 
 // Whether the ray enters the traversal's cell before a moment, -1, at it, 0, or after it, 1. UNDECIDED if only exact arithmetic can
@@ -84,6 +101,31 @@ int place_of_entry(const Ray ray, const Traversal traversal, const Bounds bounds
   return bounds.tmax == INFINITY_BITS ? 0 : max(compare_entry(ray, traversal, bounds.tmax), 0);
 }
 
+// Where a ray is at a moment, wrong by less than `wrong` and a rounding of it.
+struct Place {
+  vec3 at;
+  vec3 wrong;
+  bool is_known; // It is not out of float32's reach.
+};
+
+// From any distance, as rays come near (near.glsl): with halves of 12 bits no product is rounded, and their sum with the origin is kept
+// as two float32, of which the lower one loses less than 2^-43 of the way and the distance.
+Place place_at(const Ray ray, uint moment) {
+  const uint UPPER = 0xfffff000u; // The bits of a float32 but the lowest 12 of its significand.
+  vec3 origin = uintBitsToFloat(ray.given_origin);
+  vec3 direction = uintBitsToFloat(ray.given_direction);
+  vec3 upper = uintBitsToFloat(ray.given_direction & UPPER);
+  float t = uintBitsToFloat(moment);
+  float early = uintBitsToFloat(moment & UPPER);
+  real3 high = real3(origin), low = real3(0.0f);
+  move_by(real3(early * upper), high, low);
+  move_by(real3(early * (direction - upper)), high, low);
+  move_by(real3((t - early) * upper), high, low);
+  move_by(real3((t - early) * (direction - upper)), high, low);
+  vec3 reach = abs(origin) + abs(t * direction);
+  return Place(vec3(high + low), reach / 1099511627776.0f, all(lessThan(reach, vec3(NEVER)))); // 2^40.
+}
+
 // Moves a traversal that begins long before a moment to a cell that the ray comes to shortly before.
 void skip_to(const Ray ray, inout Traversal traversal, uint moment) {
   const int WORTH_SKIPPING = 4; // In voxels.
@@ -91,13 +133,10 @@ void skip_to(const Ray ray, inout Traversal traversal, uint moment) {
     return;
   uvec3 size = ray.given_direction & ~SIGN_BIT;
   int axis = size.x >= max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
-  float origin = uintBitsToFloat(ray.given_origin[axis]);
-  float way = uintBitsToFloat(moment) * uintBitsToFloat(ray.given_direction[axis]);
-  float heading = float(ray.heading[axis]);
-  float reach = abs(origin) + abs(way);
-  if (!(reach < NEVER))
+  Place place = place_at(ray, moment);
+  if (!place.is_known)
     return;
-  float before = origin + way - heading * (2.0f + reach / 1048576.0f); // By more than a few roundings.
+  float before = place.at[axis] - float(ray.heading[axis]) * (2.0f + place.wrong[axis]); // By more than a few roundings.
   int face = int(floor(clamp(before, -1.0f, float(VOLUME_SIZE[axis] + 1))));
   int behind = face - int(ray.falls[axis]);
   if ((behind - traversal.cell[axis]) * ray.heading[axis] > WORTH_SKIPPING)
@@ -108,10 +147,10 @@ void skip_to(const Ray ray, inout Traversal traversal, uint moment) {
 void end_after(const Ray ray, inout Traversal traversal, uint moment) {
   if (!ray.plain || moment >= INFINITY_BITS || (moment != 0u && moment < 0x800000u))
     return;
-  vec3 origin = uintBitsToFloat(ray.given_origin);
-  vec3 way = uintBitsToFloat(moment) * uintBitsToFloat(ray.given_direction);
-  vec3 room = 2.0f + (abs(origin) + abs(way)) / 1048576.0f;
-  vec3 after = origin + way + vec3(ray.heading) * room;
+  Place place = place_at(ray, moment);
+  if (!place.is_known)
+    return;
+  vec3 after = place.at + vec3(ray.heading) * (2.0f + place.wrong);
   ivec3 last = ivec3(clamp(floor(after), vec3(0.0f), vec3(VOLUME_SIZE - 1)));
   traversal.begin = mix(ivec3(0), last, ray.falls);
   traversal.size = mix(VOLUME_SIZE, last + 1, greaterThan(ray.heading, ivec3(0))) - traversal.begin;

@@ -1,4 +1,4 @@
-// What a subject takes: CPU seconds, and what can be counted.
+// What a subject takes: CPU seconds, or on a GPU those that pass, and what can be counted.
 #pragma once
 
 #include "Subject.h"
@@ -8,8 +8,8 @@
 namespace voxc::cliffs {
 
 struct Cost {
-  double firstNanoseconds = 0;   ///< CPU time of the first call, which may compile and choose an order.
-  double nanoseconds = 0;        ///< CPU time of a later call: the least of some.
+  double firstNanoseconds = 0;   ///< Time of the first call, which may compile and choose an order.
+  double nanoseconds = 0;        ///< Time of a later call: the least of some.
   std::uint64_t allocations = 0; ///< Of a later call.
   std::uint64_t faults = 0;      ///< Pages of memory that a later call touched for the first time.
 };

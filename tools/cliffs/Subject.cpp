@@ -5,6 +5,7 @@
 #include "voxc/Kernel/Compile.h"
 #include "voxc/Kernel/CompileCpu.h"
 #include "voxc/Plan/Plan.h"
+#include "voxc/Support/Stopwatch.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -120,6 +121,7 @@ Expected<std::unique_ptr<Tracer>> KernelShelf::tracer(const PagedVolume &volume,
 Expected<std::optional<Subject>> Subject::of(KernelShelf &shelf, const Stage &stage,
                                              const Situation &situation, const StagedRays &rays) {
   Subject subject;
+  subject.isOnProcessor_ = shelf.machine().isProcessor();
   subject.rays_ = rays.span();
   const Format format = askedFormat(stage.place, situation);
   if (!problemOfQuestion(format).empty())
@@ -159,11 +161,14 @@ Expected<void> Subject::placeInstances(const Stage &stage, const Situation &situ
   return {};
 }
 
-Expected<void> Subject::trace(const TraceOptions &options) {
-  if (world_)
-    return world_->trace(rays_, instanceHits_, options);
-  VOXC_TRY(tracer_->trace(rays_, hits_, options));
-  return {};
+Expected<double> Subject::trace(const TraceOptions &options) {
+  if (world_) {
+    const Stopwatch watch;
+    VOXC_TRY(world_->trace(rays_, instanceHits_, options));
+    return 1e9 * watch.seconds();
+  }
+  const auto report = VOXC_TRY(tracer_->trace(rays_, hits_, options));
+  return 1e9 * report.repeats.back().wall;
 }
 
 Expected<double> Subject::lookupsOf(const RaySpan &rays) {

@@ -21,6 +21,8 @@ struct Machine {
   std::unique_ptr<Device> device; ///< Null: this processor.
 
   bool isCpu() const { return device == nullptr; }
+  /// What it costs is CPU time; else, as of a GPU, time that passes.
+  bool isProcessor() const { return isCpu() || device->info().kind == "cpu"; }
   /// Opens it. Error: there is none of that name.
   static Expected<Machine> open(const std::string &name);
 };
@@ -53,11 +55,13 @@ public:
   static Expected<std::optional<Subject>> of(KernelShelf &shelf, const Stage &stage,
                                              const Situation &situation, const StagedRays &rays);
 
-  /// Traces all rays once.
-  Expected<void> trace(const TraceOptions &options = {});
+  /// Traces all rays once. Nanoseconds that passed, without copying rays in and hits out; of instances, with
+  /// all.
+  Expected<double> trace(const TraceOptions &options = {});
   /// Traces some other rays and tells their look-ups a ray; not of instances.
   Expected<double> lookupsOf(const RaySpan &rays);
 
+  bool isOnProcessor() const { return isOnProcessor_; }
   std::size_t rays() const { return rays_.size(); }
   std::span<const Hit> hits() const { return hits_; }
   std::span<const InstanceHit> instanceHits() const { return instanceHits_; }
@@ -67,6 +71,7 @@ public:
 private:
   Expected<void> placeInstances(const Stage &stage, const Situation &situation);
 
+  bool isOnProcessor_ = true;
   RaySpan rays_;
   std::unique_ptr<PagedVolume> pages_; // Outlives the tracer.
   std::unique_ptr<Tracer> tracer_;

@@ -1381,6 +1381,40 @@ int voxc_r4_4_4_g8_place_of_entry(const voxc_r4_4_4_g8_Ray ray, const voxc_r4_4_
   return max(voxc_r4_4_4_g8_compare_entry(ray, traversal, bounds.tmax), 0);
 }
 
+// Where a ray is at a moment, wrong by less than `wrong` and a rounding of it.
+struct voxc_r4_4_4_g8_Place {
+  float3 at;
+  float3 wrong;
+  bool is_known; // It is not out of float32's reach.
+};
+
+voxc_r4_4_4_g8_Place make_voxc_r4_4_4_g8_Place(float3 at, float3 wrong, bool is_known) {
+  voxc_r4_4_4_g8_Place made;
+  made.at = at;
+  made.wrong = wrong;
+  made.is_known = is_known;
+  return made;
+}
+
+// From any distance, as rays come near (near.glsl): with halves of 12 bits no product is rounded, and their sum with
+// the origin is kept as two float32, of which the lower one loses less than 2^-43 of the way and the distance.
+voxc_r4_4_4_g8_Place voxc_r4_4_4_g8_place_at(const voxc_r4_4_4_g8_Ray ray, uint moment) {
+  const uint UPPER = 0xfffff000u; // The bits of a float32 but the lowest 12 of its significand.
+  float3 origin = asfloat(ray.given_origin);
+  float3 direction = asfloat(ray.given_direction);
+  float3 upper = asfloat(ray.given_direction & UPPER);
+  float t = asfloat(moment);
+  float early = asfloat(moment & UPPER);
+  float3 high = origin, low = (float3)0.0f;
+  voxc_r4_4_4_g8_move_by(early * upper, high, low);
+  voxc_r4_4_4_g8_move_by(early * (direction - upper), high, low);
+  voxc_r4_4_4_g8_move_by((t - early) * upper, high, low);
+  voxc_r4_4_4_g8_move_by((t - early) * (direction - upper), high, low);
+  float3 reach = abs(origin) + abs(t * direction);
+  // 2^40.
+  return make_voxc_r4_4_4_g8_Place(high + low, reach / 1099511627776.0f, all(reach < (float3)voxc_r4_4_4_g8_NEVER));
+}
+
 // Moves a traversal that begins long before a moment to a cell that the ray comes to shortly before.
 void voxc_r4_4_4_g8_skip_to(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Traversal traversal, uint moment) {
   const int WORTH_SKIPPING = 4; // In voxels.
@@ -1388,13 +1422,11 @@ void voxc_r4_4_4_g8_skip_to(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_T
     return;
   uint3 size = ray.given_direction & ~voxc_r4_4_4_g8_SIGN_BIT;
   int axis = size.x >= max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
-  float origin = asfloat(ray.given_origin[axis]);
-  float way = asfloat(moment) * asfloat(ray.given_direction[axis]);
-  float heading = float(ray.heading[axis]);
-  float reach = abs(origin) + abs(way);
-  if (!(reach < voxc_r4_4_4_g8_NEVER))
+  voxc_r4_4_4_g8_Place place = voxc_r4_4_4_g8_place_at(ray, moment);
+  if (!place.is_known)
     return;
-  float before = origin + way - heading * (2.0f + reach / 1048576.0f); // By more than a few roundings.
+  // By more than a few roundings.
+  float before = place.at[axis] - float(ray.heading[axis]) * (2.0f + place.wrong[axis]);
   int face = int(floor(clamp(before, -1.0f, float(voxc_r4_4_4_g8_VOLUME_SIZE[axis] + 1))));
   int behind = face - int(ray.falls[axis]);
   if ((behind - traversal.cell[axis]) * ray.heading[axis] > WORTH_SKIPPING)
@@ -1405,10 +1437,10 @@ void voxc_r4_4_4_g8_skip_to(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_T
 void voxc_r4_4_4_g8_end_after(const voxc_r4_4_4_g8_Ray ray, inout voxc_r4_4_4_g8_Traversal traversal, uint moment) {
   if (!ray.plain || moment >= voxc_r4_4_4_g8_INFINITY_BITS || (moment != 0u && moment < 0x800000u))
     return;
-  float3 origin = asfloat(ray.given_origin);
-  float3 way = asfloat(moment) * asfloat(ray.given_direction);
-  float3 room = 2.0f + (abs(origin) + abs(way)) / 1048576.0f;
-  float3 after = origin + way + float3(ray.heading) * room;
+  voxc_r4_4_4_g8_Place place = voxc_r4_4_4_g8_place_at(ray, moment);
+  if (!place.is_known)
+    return;
+  float3 after = place.at + float3(ray.heading) * (2.0f + place.wrong);
   int3 last = int3(clamp(floor(after), (float3)0.0f, float3(voxc_r4_4_4_g8_VOLUME_SIZE - 1)));
   traversal.begin = voxc_r4_4_4_g8_mix((int3)0, last, ray.falls);
   traversal.size = voxc_r4_4_4_g8_mix(voxc_r4_4_4_g8_VOLUME_SIZE, last + 1, ray.heading > (int3)0) - traversal.begin;

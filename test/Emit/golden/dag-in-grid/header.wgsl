@@ -564,6 +564,17 @@ fn voxc_r4_4_4_g8_is_far(coordinate: vec3<f32>, moves: vec3<bool>) -> bool {
   return any(abs(coordinate) > select(vec3<f32>(voxc_r4_4_4_g8_NEVER), vec3<f32>(voxc_r4_4_4_g8_far_away()), moves));
 }
 
+// Moves coordinates. Those in float32 are sums of two: what the first sum loses is added to the second. Doubles lose
+// one rounding of 2^-53.
+fn voxc_r4_4_4_g8_move_by(way: vec3<f32>, high: ptr<function, vec3<f32>>, low: ptr<function, vec3<f32>>) {
+  let sum = *high + way;
+  let of_way = sum - *high;
+  let of_high = sum - of_way;
+  let lost = (*high - of_high) + (way - of_way);
+  *high = sum;
+  *low += lost;
+}
+
 // Moves a ray that begins far away, to before the last of the faces by which it enters the volume. Once is enough up to
 // a thousand times that distance.
 fn voxc_r4_4_4_g8_come_near(ray: ptr<function, voxc_r4_4_4_g8_Ray>) -> voxc_r4_4_4_g8_Start {
@@ -1289,6 +1300,32 @@ fn voxc_r4_4_4_g8_place_of_entry(ray: voxc_r4_4_4_g8_Ray, traversal: voxc_r4_4_4
   return max(voxc_r4_4_4_g8_compare_entry(ray, traversal, bounds.tmax), 0);
 }
 
+// Where a ray is at a moment, wrong by less than `wrong` and a rounding of it.
+struct voxc_r4_4_4_g8_Place {
+  at: vec3<f32>,
+  wrong: vec3<f32>,
+  is_known: bool, // It is not out of float32's reach.
+}
+
+// From any distance, as rays come near (near.glsl): with halves of 12 bits no product is rounded, and their sum with
+// the origin is kept as two float32, of which the lower one loses less than 2^-43 of the way and the distance.
+fn voxc_r4_4_4_g8_place_at(ray: voxc_r4_4_4_g8_Ray, moment: u32) -> voxc_r4_4_4_g8_Place {
+  let UPPER = 0xfffff000u; // The bits of a float32 but the lowest 12 of its significand.
+  let origin = bitcast<vec3<f32>>(ray.given_origin);
+  let direction = bitcast<vec3<f32>>(ray.given_direction);
+  let upper = bitcast<vec3<f32>>(ray.given_direction & vec3<u32>(UPPER));
+  let t = bitcast<f32>(moment);
+  let early = bitcast<f32>(moment & UPPER);
+  var high: vec3<f32> = origin; var low: vec3<f32> = vec3<f32>(0.0f);
+  voxc_r4_4_4_g8_move_by(early * upper, &high, &low);
+  voxc_r4_4_4_g8_move_by(early * (direction - upper), &high, &low);
+  voxc_r4_4_4_g8_move_by((t - early) * upper, &high, &low);
+  voxc_r4_4_4_g8_move_by((t - early) * (direction - upper), &high, &low);
+  let reach = abs(origin) + abs(t * direction);
+  // 2^40.
+  return voxc_r4_4_4_g8_Place(high + low, reach / 1099511627776.0f, all(reach < vec3<f32>(voxc_r4_4_4_g8_NEVER)));
+}
+
 // Moves a traversal that begins long before a moment to a cell that the ray comes to shortly before.
 fn voxc_r4_4_4_g8_skip_to(ray: voxc_r4_4_4_g8_Ray, traversal: ptr<function, voxc_r4_4_4_g8_Traversal>, moment: u32) {
   let WORTH_SKIPPING = 4; // In voxels.
@@ -1297,14 +1334,11 @@ fn voxc_r4_4_4_g8_skip_to(ray: voxc_r4_4_4_g8_Ray, traversal: ptr<function, voxc
   }
   let size = ray.given_direction & vec3<u32>(~voxc_r4_4_4_g8_SIGN_BIT);
   let axis = select(select(2, 1, size.y >= size.z), 0, size.x >= max(size.y, size.z));
-  let origin = bitcast<f32>(ray.given_origin[axis]);
-  let way = bitcast<f32>(moment) * bitcast<f32>(ray.given_direction[axis]);
-  let heading = f32(ray.heading[axis]);
-  let reach = abs(origin) + abs(way);
-  if (!(reach < voxc_r4_4_4_g8_NEVER)) {
+  let place = voxc_r4_4_4_g8_place_at(ray, moment);
+  if (!place.is_known) {
     return;
   }
-  let before = origin + way - heading * (2.0f + reach / 1048576.0f); // By more than a few roundings.
+  let before = place.at[axis] - f32(ray.heading[axis]) * (2.0f + place.wrong[axis]); // By more than a few roundings.
   let face = i32(floor(clamp(before, -1.0f, f32(voxc_r4_4_4_g8_VOLUME_SIZE[axis] + 1))));
   let behind = face - i32(ray.falls[axis]);
   if ((behind - (*traversal).cell[axis]) * ray.heading[axis] > WORTH_SKIPPING) {
@@ -1317,10 +1351,11 @@ fn voxc_r4_4_4_g8_end_after(ray: voxc_r4_4_4_g8_Ray, traversal: ptr<function, vo
   if (!ray.plain || (moment >= voxc_r4_4_4_g8_INFINITY_BITS) || (moment != 0u && moment < 0x800000u)) {
     return;
   }
-  let origin = bitcast<vec3<f32>>(ray.given_origin);
-  let way = bitcast<f32>(moment) * bitcast<vec3<f32>>(ray.given_direction);
-  let room = 2.0f + (abs(origin) + abs(way)) / 1048576.0f;
-  let after = origin + way + vec3<f32>(ray.heading) * room;
+  let place = voxc_r4_4_4_g8_place_at(ray, moment);
+  if (!place.is_known) {
+    return;
+  }
+  let after = place.at + vec3<f32>(ray.heading) * (2.0f + place.wrong);
   let last = vec3<i32>(clamp(floor(after), vec3<f32>(0.0f), vec3<f32>(voxc_r4_4_4_g8_VOLUME_SIZE - 1)));
   (*traversal).begin = select(vec3<i32>(0), last, ray.falls);
   (*traversal).size = select(voxc_r4_4_4_g8_VOLUME_SIZE, last + 1, ray.heading > vec3<i32>(0)) - (*traversal).begin;
