@@ -1,4 +1,5 @@
-// choose-steps: doubles where float32 would defer most rays to exact arithmetic.
+// choose-steps: doubles where float32 would defer most rays to exact arithmetic, and what else tells what it
+// cannot.
 #include "Passes.h"
 
 #include <algorithm>
@@ -22,6 +23,8 @@ void chooseSteps(Plan &plan) {
     plan.steps = StepArithmetic::Refined;
   else if (isLong)
     plan.steps = StepArithmetic::Float64;
+  else
+    plan.arithmetic = Arithmetic::Nearest; // For sums of two float32, which take less time than doubles.
 }
 
 } // namespace voxc

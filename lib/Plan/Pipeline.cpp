@@ -39,7 +39,9 @@ constexpr std::array<PlanPass, 15> kPasses = {{
      "After the descents: they may ask for nesting.", chooseTraversal},
     {"choose-steps",
      "of exact traversals, where the device has doubles: in packets sums of two float32 for steps that one "
-     "cannot decide, else doubles for all steps through 2^11 voxels a side and more; float32 everywhere else",
+     "cannot decide, else doubles for all steps through 2^11 voxels a side and more; float32 everywhere "
+     "else, "
+     "which relies on arithmetic=nearest there",
      "Anywhere: it asks for nothing that others choose.", chooseSteps},
     {"choose-comparison",
      "the first of the faces ahead is found by the bits of float32; in packets, and of doubles, by comparing "

@@ -87,7 +87,8 @@ void describeVersion12(const VulkanFunctions &vk, PhysicalDevice &device) {
   device.roundsToNearest = floats.shaderRoundingModeRTEFloat32;
   device.info.arithmetic = withoutDoubles(device);
   // Of no other driver do we know that its inverse is rounded to nearest.
-  if (driver.driverID == VK_DRIVER_ID_MESA_LLVMPIPE && device.features.shaderFloat64)
+  if (driver.driverID == VK_DRIVER_ID_MESA_LLVMPIPE && device.features.shaderFloat64 &&
+      device.roundsToNearest)
     device.info.arithmetic = Arithmetic::Ieee;
   device.info.deviceAddresses = addresses.bufferDeviceAddress;
 }
