@@ -16,6 +16,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -138,6 +139,26 @@ TEST_P(Bounds, AreKeptExactlyInDeepSolids) {
   for (const Ray &ray : verifyRays(format.extent(), 2000, 3))
     rays.push_back(bounded(ray, {100.0f + 0.37f * static_cast<float>(rays.size() % 1000), 700.0f}));
   expectAnswers(volume, format, oracle, rays, kBoundedQuestions[1]);
+}
+
+/// From 2^20 edges away float32 numbers are 8 voxels apart.
+TEST_P(Bounds, AreWhereTraversalsBeginFromFarAway) {
+  const Format format = *parseFormat("R(2^3) G(4)");
+  const test::HardScene full{"full", [](Int3) { return 0xff336699u; }, {}, format.extent()};
+  const Volume volume = test::builtScene(format, full);
+  const Oracle oracle = *Oracle::of(volume);
+  const float away = std::ldexp(64.0f, 20);
+  std::vector<BoundedRay> rays;
+  for (int i = 0; i < 200; ++i)
+    rays.push_back({{0.3f * static_cast<float>(i), 31.7f, -away},
+                    away + 32,
+                    {std::ldexp(static_cast<float>(i % 5 - 2), -28), 0, 1},
+                    away + static_cast<float>(8 * (i % 8))});
+  expectAnswers(volume, format, oracle, rays, kBoundedQuestions[0]);
+  std::vector<Hit> hits(rays.size());
+  ASSERT_TRUE((*tracerOf(volume, asking(format, kBoundedQuestions[0])))
+                  ->trace(std::span<const BoundedRay>(rays), hits, {.countSteps = true}));
+  EXPECT_LE(std::ranges::max(hits, {}, &Hit::steps).steps, 12u); // 32 from the entry on.
 }
 
 TEST_P(Bounds, AreKeptByFastKernelsButForRounding) {

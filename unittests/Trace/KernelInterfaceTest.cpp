@@ -91,6 +91,9 @@ TEST(KernelInterface, TellsTheFeaturesThatAreNeeded) {
   EXPECT_THAT(interfaceOf(*compileKernel(format, {.arithmetic = Arithmetic::Nearest}))->features,
               ElementsAre("shaderRoundingModeRTEFloat32"));
   EXPECT_THAT(interfaceOf(*compileKernel(format, {.arithmetic = Arithmetic::Ieee}))->features,
+              ElementsAre("shaderRoundingModeRTEFloat32"));
+  const Format stepsInDoubles = *parseFormat("R(8,1,1) G(3)");
+  EXPECT_THAT(interfaceOf(*compileKernel(stepsInDoubles, {.arithmetic = Arithmetic::Ieee}))->features,
               ElementsAre("shaderFloat64"));
   EXPECT_THAT(interfaceOf(*compileKernel(format, {.addressing = Addressing::Segments}))->features,
               testing::Contains("bufferDeviceAddress"));

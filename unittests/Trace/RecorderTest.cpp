@@ -261,8 +261,7 @@ TEST_F(RecorderTest, TracesOnADeviceThatWasOpenedWithoutFeatures) {
 
 TEST_F(RecorderTest, RefusesKernelsThatTheDeviceWasNotOpenedFor) {
   openHost(true);
-  const Model model = makeModel("G(4)", 7, 100);
-  auto kernel = compileKernel(model.volume.format(), {.arithmetic = Arithmetic::Ieee});
+  auto kernel = compileKernel(*parseFormat("R(8,1,1) G(3)"), {.arithmetic = Arithmetic::Ieee});
   ASSERT_TRUE(kernel);
   kernel->arithmetic = Arithmetic::Any; // Its doubles are to be refused, not what it says of itself.
   const auto recorder = TraceRecorder::create(*device_, *kernel);
