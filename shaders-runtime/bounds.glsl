@@ -109,7 +109,8 @@ struct Place {
 };
 
 // From any distance, as rays come near (near.glsl): with halves of 12 bits no product is rounded, and their sum with the origin is kept
-// as two float32, of which the lower one loses less than 2^-43 of the way and the distance.
+// as two float32, of which the lower one loses less than 2^-43 of the way and the distance. Where rays do not come near, all begin near,
+// or a language has no `precise`.
 Place place_at(const Ray ray, uint moment) {
   const uint UPPER = 0xfffff000u; // The bits of a float32 but the lowest 12 of its significand.
   vec3 origin = uintBitsToFloat(ray.given_origin);
@@ -123,7 +124,8 @@ Place place_at(const Ray ray, uint moment) {
   move_by(real3((t - early) * upper), high, low);
   move_by(real3((t - early) * (direction - upper)), high, low);
   vec3 reach = abs(origin) + abs(t * direction);
-  return Place(vec3(high + low), reach / 1099511627776.0f, all(lessThan(reach, vec3(NEVER)))); // 2^40.
+  float lost = COMES_NEAR ? 1.0f / 1099511627776.0f : 1.0f / 1048576.0f; // 2^-40, or 2^-20 where sums may lose more.
+  return Place(vec3(high + low), reach * lost, all(lessThan(reach, vec3(NEVER))));
 }
 
 // Moves a traversal that begins long before a moment to a cell that the ray comes to shortly before.

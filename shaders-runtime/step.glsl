@@ -15,13 +15,12 @@ void end_step(const Ray ray, inout Traversal traversal, const Exit leaving, ivec
       sure = step_compensated(ray, traversal, span);
     cell = traversal.cell;
   }
-  // A ray of whole numbers has to be resolved at nearly each step: after a few, doubles or sums of two float32 decide these as they come,
-  // on devices of wide vectors that may cut loops. A loop, as they run through both ways of a branch, but not through a loop that no lane
-  // enters.
-  if (EXACT && CUT && (IEEE || NEAREST) && EXACT_FALLBACK) {
+  // A ray of whole numbers has to be resolved at nearly each step: after a few, doubles decide these as they come. A loop, as devices of
+  // wide vectors run through both ways of a branch, but not through a loop that no lane enters.
+  if (EXACT && IEEE && !REFINES && EXACT_FALLBACK) {
     traversal.cell = sure ? cell : traversal.cell;
     for (bool is_asked = !sure && steps_resolved > FEW_RESOLVED_STEPS; is_asked; is_asked = false)
-      sure = NEAREST ? step_compensated(ray, traversal, span) : step_by_doubles(ray, traversal, span);
+      sure = step_by_doubles(ray, traversal, span);
     cell = sure ? traversal.cell : cell;
   }
   // A step that is not sure is left pending, and all loops end: what resolves it stands outside of them, where lanes

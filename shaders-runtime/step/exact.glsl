@@ -81,13 +81,13 @@ void resolve_step(const Ray ray, inout Traversal traversal) {
     traversal = exact_step(ray, traversal, span);
     return;
   }
-  ++steps_resolved;
   // A loop, through which no lane goes where these tell.
   if (NEAREST) {
     for (bool is_left = !step_compensated(ray, traversal, span); is_left; is_left = false)
       traversal = exact_step(ray, traversal, span);
     return;
   }
+  ++steps_resolved;
   // A loop, as above.
   for (bool is_left = !step_by_doubles(ray, traversal, span); is_left; is_left = false)
     traversal = exact_step(ray, traversal, span);

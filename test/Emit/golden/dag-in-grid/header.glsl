@@ -1255,7 +1255,8 @@ struct voxc_r4_4_4_g8_Place {
 };
 
 // From any distance, as rays come near (near.glsl): with halves of 12 bits no product is rounded, and their sum with
-// the origin is kept as two float32, of which the lower one loses less than 2^-43 of the way and the distance.
+// the origin is kept as two float32, of which the lower one loses less than 2^-43 of the way and the distance. Where
+// rays do not come near, all begin near, or a language has no `precise`.
 voxc_r4_4_4_g8_Place voxc_r4_4_4_g8_place_at(const voxc_r4_4_4_g8_Ray ray, uint moment) {
   const uint UPPER = 0xfffff000u; // The bits of a float32 but the lowest 12 of its significand.
   vec3 origin = uintBitsToFloat(ray.given_origin);
@@ -1269,8 +1270,8 @@ voxc_r4_4_4_g8_Place voxc_r4_4_4_g8_place_at(const voxc_r4_4_4_g8_Ray ray, uint 
   voxc_r4_4_4_g8_move_by((t - early) * upper, high, low);
   voxc_r4_4_4_g8_move_by((t - early) * (direction - upper), high, low);
   vec3 reach = abs(origin) + abs(t * direction);
-  // 2^40.
-  return voxc_r4_4_4_g8_Place(high + low, reach / 1099511627776.0f, all(lessThan(reach, vec3(voxc_r4_4_4_g8_NEVER))));
+  float lost = 1.0f / 1099511627776.0f; // 2^-40, or 2^-20 where sums may lose more.
+  return voxc_r4_4_4_g8_Place(high + low, reach * lost, all(lessThan(reach, vec3(voxc_r4_4_4_g8_NEVER))));
 }
 
 // Moves a traversal that begins long before a moment to a cell that the ray comes to shortly before.

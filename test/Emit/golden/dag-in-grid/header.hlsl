@@ -1397,7 +1397,8 @@ voxc_r4_4_4_g8_Place make_voxc_r4_4_4_g8_Place(float3 at, float3 wrong, bool is_
 }
 
 // From any distance, as rays come near (near.glsl): with halves of 12 bits no product is rounded, and their sum with
-// the origin is kept as two float32, of which the lower one loses less than 2^-43 of the way and the distance.
+// the origin is kept as two float32, of which the lower one loses less than 2^-43 of the way and the distance. Where
+// rays do not come near, all begin near, or a language has no `precise`.
 voxc_r4_4_4_g8_Place voxc_r4_4_4_g8_place_at(const voxc_r4_4_4_g8_Ray ray, uint moment) {
   const uint UPPER = 0xfffff000u; // The bits of a float32 but the lowest 12 of its significand.
   float3 origin = asfloat(ray.given_origin);
@@ -1411,8 +1412,8 @@ voxc_r4_4_4_g8_Place voxc_r4_4_4_g8_place_at(const voxc_r4_4_4_g8_Ray ray, uint 
   voxc_r4_4_4_g8_move_by((t - early) * upper, high, low);
   voxc_r4_4_4_g8_move_by((t - early) * (direction - upper), high, low);
   float3 reach = abs(origin) + abs(t * direction);
-  // 2^40.
-  return make_voxc_r4_4_4_g8_Place(high + low, reach / 1099511627776.0f, all(reach < (float3)voxc_r4_4_4_g8_NEVER));
+  float lost = 1.0f / 1099511627776.0f; // 2^-40, or 2^-20 where sums may lose more.
+  return make_voxc_r4_4_4_g8_Place(high + low, reach * lost, all(reach < (float3)voxc_r4_4_4_g8_NEVER));
 }
 
 // Moves a traversal that begins long before a moment to a cell that the ray comes to shortly before.
