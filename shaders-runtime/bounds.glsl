@@ -50,12 +50,10 @@ int compare_moment_by_doubles(const Ray ray, int axis, int face, uint moment) {
   return order_decided(ray, axis, moment, apart > bound, apart < -bound, to_face.is_exact);
 }
 
-// The same by sums of two float32 (pairs.glsl), of which both products are 2^-44 wrong at most. The direction is the scaled one, and the
-// moment counts in it.
+// The same by sums of two float32 (pairs.glsl), wrong by less than 2^-44 of the distance and the way together. The direction is the
+// scaled one, and the moment counts in it.
 int compare_moment_by_pairs(const Ray ray, int axis, int face, uint moment) {
-  uvec3 size = ray.given_direction & ~SIGN_BIT;
-  uint longest = max(max(size.x, size.y), size.z);
-  float t = uintBitsToFloat(moment) * uintBitsToFloat(longest & INFINITY_BITS);
+  float t = uintBitsToFloat(moment) * uintBitsToFloat(longest_of(ray.given_direction) & INFINITY_BITS);
   float speed = float(ray.direction[axis]);
   Pair to_face = exact_sum(float(face), -uintBitsToFloat(ray.given_origin[axis]));
   precise float way = t * speed;
@@ -109,23 +107,26 @@ struct Place {
 };
 
 // From any distance, as rays come near (near.glsl): with halves of 12 bits no product is rounded, and their sum with the origin is kept
-// as two float32, of which the lower one loses less than 2^-43 of the way and the distance. Where rays do not come near, all begin near,
-// or a language has no `precise`.
+// as two float32, of which the lower one loses less than 2^-43 of the way and the distance. Where rays do not come near, as nearly all
+// begin there, or as a language has no `precise`, it is one float32.
 Place place_at(const Ray ray, uint moment) {
   const uint UPPER = 0xfffff000u; // The bits of a float32 but the lowest 12 of its significand.
   vec3 origin = uintBitsToFloat(ray.given_origin);
   vec3 direction = uintBitsToFloat(ray.given_direction);
-  vec3 upper = uintBitsToFloat(ray.given_direction & UPPER);
   float t = uintBitsToFloat(moment);
+  vec3 way = t * direction;
+  vec3 reach = abs(origin) + abs(way);
+  bool is_known = all(lessThan(reach, vec3(NEVER)));
+  if (!COMES_NEAR)
+    return Place(origin + way, reach / 1048576.0f, is_known); // 2^20.
+  vec3 upper = uintBitsToFloat(ray.given_direction & UPPER);
   float early = uintBitsToFloat(moment & UPPER);
   real3 high = real3(origin), low = real3(0.0f);
   move_by(real3(early * upper), high, low);
   move_by(real3(early * (direction - upper)), high, low);
   move_by(real3((t - early) * upper), high, low);
   move_by(real3((t - early) * (direction - upper)), high, low);
-  vec3 reach = abs(origin) + abs(t * direction);
-  float lost = COMES_NEAR ? 1.0f / 1099511627776.0f : 1.0f / 1048576.0f; // 2^-40, or 2^-20 where sums may lose more.
-  return Place(vec3(high + low), reach * lost, all(lessThan(reach, vec3(NEVER))));
+  return Place(vec3(high + low), reach / 1099511627776.0f, is_known); // 2^40.
 }
 
 // Moves a traversal that begins long before a moment to a cell that the ray comes to shortly before.

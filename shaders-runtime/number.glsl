@@ -19,6 +19,12 @@ bool are_plain(uvec3 bits) { return all(greaterThanEqual((bits & ~SIGN_BIT) - 1u
 // 2^exponent, for exponents of normal numbers; the nearest such for others.
 float power_of_two(int exponent) { return uintBitsToFloat(uint(clamp(exponent, -126, 127) + 127) << 23); }
 
+// The bits of the longest component's magnitude.
+uint longest_of(uvec3 direction) {
+  uvec3 size = direction & ~SIGN_BIT;
+  return max(max(size.x, size.y), size.z);
+}
+
 // The largest whole numbers that are not above float32 numbers, within 2^22 of zero.
 ivec3 floor_of(uvec3 bits) {
   ivec3 whole = ivec3(clamp(floor(uintBitsToFloat(bits)), -4194304.0f, 4194304.0f));

@@ -59,7 +59,7 @@ Ray prepare_ray(uvec3 origin, uvec3 direction, out bool ordinary) {
   ray.given_origin = origin;
   ray.given_direction = direction;
   uvec3 size = direction & ~SIGN_BIT;
-  uint longest = max(max(size.x, size.y), size.z);
+  uint longest = longest_of(direction);
   ray.moves = notEqual(size, uvec3(0u));
   vec3 component = uintBitsToFloat(direction) * uintBitsToFloat(0x7f000000u - (longest & INFINITY_BITS));
   component = mix(vec3(LEAST_COMPONENT), component, ray.moves);

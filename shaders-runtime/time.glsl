@@ -147,9 +147,7 @@ uint time_by_pairs(const Ray ray, int axis, int face, out bool sure) {
   float bound = abs(first) * (1.0f / 4398046511104.0f);
   precise float least = first + (more - bound);
   precise float most = first + (more + bound);
-  uint longest =
-      max(max(ray.given_direction.x & ~SIGN_BIT, ray.given_direction.y & ~SIGN_BIT), ray.given_direction.z & ~SIGN_BIT);
-  float t = abs(least) * uintBitsToFloat(0x7f000000u - (longest & INFINITY_BITS));
+  float t = abs(least) * uintBitsToFloat(0x7f000000u - (longest_of(ray.given_direction) & INFINITY_BITS));
   bool is_in_range = abs(first) > 1e-9f && abs(first) < 1e12f && t > 1e-30f && t < 1e30f;
   sure = ray.is_moderate && (way.high == 0.0f || (is_in_range && least == most));
   return floatBitsToUint(way.high == 0.0f ? 0.0f : t);

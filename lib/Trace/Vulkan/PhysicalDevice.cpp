@@ -86,7 +86,8 @@ void describeVersion12(const VulkanFunctions &vk, PhysicalDevice &device) {
   device.features = features.features;
   device.roundsToNearest = floats.shaderRoundingModeRTEFloat32;
   device.info.arithmetic = withoutDoubles(device);
-  // Of no other driver do we know that its inverse is rounded to nearest.
+  // Of no other driver do we know that its inverse is rounded to nearest. Kernels that do not step in doubles
+  // ask for that rounding.
   if (driver.driverID == VK_DRIVER_ID_MESA_LLVMPIPE && device.features.shaderFloat64 &&
       device.roundsToNearest)
     device.info.arithmetic = Arithmetic::Ieee;

@@ -468,6 +468,12 @@ static inline float voxc_r4_4_4_g8_power_of_two(int exponent) {
   return uintBitsToFloat(uint(clamp(exponent, -126, 127) + 127) << 23);
 }
 
+// The bits of the longest component's magnitude.
+static inline uint voxc_r4_4_4_g8_longest_of(uvec3 direction) {
+  uvec3 size = direction & ~voxc_r4_4_4_g8_SIGN_BIT;
+  return max(max(size.x, size.y), size.z);
+}
+
 // The largest whole numbers that are not above float32 numbers, within 2^22 of zero.
 static inline ivec3 voxc_r4_4_4_g8_floor_of(uvec3 bits) {
   ivec3 whole = ivec3(clamp(floor(uintBitsToFloat(bits)), -4194304.0f, 4194304.0f));
@@ -1076,7 +1082,7 @@ static inline voxc_r4_4_4_g8_Ray voxc_r4_4_4_g8_prepare_ray(uvec3 origin, uvec3 
   ray.given_origin = origin;
   ray.given_direction = direction;
   uvec3 size = direction & ~voxc_r4_4_4_g8_SIGN_BIT;
-  uint longest = max(max(size.x, size.y), size.z);
+  uint longest = voxc_r4_4_4_g8_longest_of(direction);
   ray.moves = notEqual(size, uvec3(0u));
   vec3 component = uintBitsToFloat(direction) * uintBitsToFloat(0x7f000000u - (longest & voxc_r4_4_4_g8_INFINITY_BITS));
   component = mix(vec3(voxc_r4_4_4_g8_LEAST_COMPONENT), component, ray.moves);
@@ -1555,22 +1561,23 @@ struct voxc_r4_4_4_g8_Place {
 
 // From any distance, as rays come near (near.glsl): with halves of 12 bits no product is rounded, and their sum with
 // the origin is kept as two float32, of which the lower one loses less than 2^-43 of the way and the distance. Where
-// rays do not come near, all begin near, or a language has no `precise`.
+// rays do not come near, as nearly all begin there, or as a language has no `precise`, it is one float32.
 static inline voxc_r4_4_4_g8_Place voxc_r4_4_4_g8_place_at(const voxc_r4_4_4_g8_Ray &ray, uint moment) {
   const uint UPPER = 0xfffff000u; // The bits of a float32 but the lowest 12 of its significand.
   vec3 origin = uintBitsToFloat(ray.given_origin);
   vec3 direction = uintBitsToFloat(ray.given_direction);
-  vec3 upper = uintBitsToFloat(ray.given_direction & UPPER);
   float t = uintBitsToFloat(moment);
+  vec3 way = t * direction;
+  vec3 reach = abs(origin) + abs(way);
+  bool is_known = all(lessThan(reach, vec3(voxc_r4_4_4_g8_NEVER)));
+  vec3 upper = uintBitsToFloat(ray.given_direction & UPPER);
   float early = uintBitsToFloat(moment & UPPER);
   vec3 high = origin, low = vec3(0.0f);
   voxc_r4_4_4_g8_move_by(early * upper, high, low);
   voxc_r4_4_4_g8_move_by(early * (direction - upper), high, low);
   voxc_r4_4_4_g8_move_by((t - early) * upper, high, low);
   voxc_r4_4_4_g8_move_by((t - early) * (direction - upper), high, low);
-  vec3 reach = abs(origin) + abs(t * direction);
-  float lost = 1.0f / 1099511627776.0f; // 2^-40, or 2^-20 where sums may lose more.
-  return voxc_r4_4_4_g8_Place(high + low, reach * lost, all(lessThan(reach, vec3(voxc_r4_4_4_g8_NEVER))));
+  return voxc_r4_4_4_g8_Place(high + low, reach / 1099511627776.0f, is_known); // 2^40.
 }
 
 // Moves a traversal that begins long before a moment to a cell that the ray comes to shortly before.

@@ -245,6 +245,12 @@ bool voxc_r4_4_4_g8_are_plain(uint3 bits) { return all((bits & ~voxc_r4_4_4_g8_S
 // 2^exponent, for exponents of normal numbers; the nearest such for others.
 float voxc_r4_4_4_g8_power_of_two(int exponent) { return asfloat(uint(clamp(exponent, -126, 127) + 127) << 23); }
 
+// The bits of the longest component's magnitude.
+uint voxc_r4_4_4_g8_longest_of(uint3 direction) {
+  uint3 size = direction & ~voxc_r4_4_4_g8_SIGN_BIT;
+  return max(max(size.x, size.y), size.z);
+}
+
 // The largest whole numbers that are not above float32 numbers, within 2^22 of zero.
 int3 voxc_r4_4_4_g8_floor_of(uint3 bits) {
   int3 whole = int3(clamp(floor(asfloat(bits)), -4194304.0f, 4194304.0f));
@@ -878,7 +884,7 @@ voxc_r4_4_4_g8_Ray voxc_r4_4_4_g8_prepare_ray(uint3 origin, uint3 direction, out
   ray.given_origin = origin;
   ray.given_direction = direction;
   uint3 size = direction & ~voxc_r4_4_4_g8_SIGN_BIT;
-  uint longest = max(max(size.x, size.y), size.z);
+  uint longest = voxc_r4_4_4_g8_longest_of(direction);
   ray.moves = size != (uint3)0u;
   float3 component = asfloat(direction) * asfloat(0x7f000000u - (longest & voxc_r4_4_4_g8_INFINITY_BITS));
   component = voxc_r4_4_4_g8_mix((float3)voxc_r4_4_4_g8_LEAST_COMPONENT, component, ray.moves);
@@ -1398,22 +1404,23 @@ voxc_r4_4_4_g8_Place make_voxc_r4_4_4_g8_Place(float3 at, float3 wrong, bool is_
 
 // From any distance, as rays come near (near.glsl): with halves of 12 bits no product is rounded, and their sum with
 // the origin is kept as two float32, of which the lower one loses less than 2^-43 of the way and the distance. Where
-// rays do not come near, all begin near, or a language has no `precise`.
+// rays do not come near, as nearly all begin there, or as a language has no `precise`, it is one float32.
 voxc_r4_4_4_g8_Place voxc_r4_4_4_g8_place_at(const voxc_r4_4_4_g8_Ray ray, uint moment) {
   const uint UPPER = 0xfffff000u; // The bits of a float32 but the lowest 12 of its significand.
   float3 origin = asfloat(ray.given_origin);
   float3 direction = asfloat(ray.given_direction);
-  float3 upper = asfloat(ray.given_direction & UPPER);
   float t = asfloat(moment);
+  float3 way = t * direction;
+  float3 reach = abs(origin) + abs(way);
+  bool is_known = all(reach < (float3)voxc_r4_4_4_g8_NEVER);
+  float3 upper = asfloat(ray.given_direction & UPPER);
   float early = asfloat(moment & UPPER);
   float3 high = origin, low = (float3)0.0f;
   voxc_r4_4_4_g8_move_by(early * upper, high, low);
   voxc_r4_4_4_g8_move_by(early * (direction - upper), high, low);
   voxc_r4_4_4_g8_move_by((t - early) * upper, high, low);
   voxc_r4_4_4_g8_move_by((t - early) * (direction - upper), high, low);
-  float3 reach = abs(origin) + abs(t * direction);
-  float lost = 1.0f / 1099511627776.0f; // 2^-40, or 2^-20 where sums may lose more.
-  return make_voxc_r4_4_4_g8_Place(high + low, reach * lost, all(reach < (float3)voxc_r4_4_4_g8_NEVER));
+  return make_voxc_r4_4_4_g8_Place(high + low, reach / 1099511627776.0f, is_known); // 2^40.
 }
 
 // Moves a traversal that begins long before a moment to a cell that the ray comes to shortly before.

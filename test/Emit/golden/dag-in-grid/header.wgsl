@@ -208,6 +208,12 @@ fn voxc_r4_4_4_g8_power_of_two(exponent: i32) -> f32 {
   return bitcast<f32>(u32(clamp(exponent, -126, 127) + 127) << 23u);
 }
 
+// The bits of the longest component's magnitude.
+fn voxc_r4_4_4_g8_longest_of(direction: vec3<u32>) -> u32 {
+  let size = direction & vec3<u32>(~voxc_r4_4_4_g8_SIGN_BIT);
+  return max(max(size.x, size.y), size.z);
+}
+
 // The largest whole numbers that are not above float32 numbers, within 2^22 of zero.
 fn voxc_r4_4_4_g8_floor_of(bits: vec3<u32>) -> vec3<i32> {
   let whole = vec3<i32>(clamp(floor(bitcast<vec3<f32>>(bits)), vec3<f32>(-4194304.0f), vec3<f32>(4194304.0f)));
@@ -564,17 +570,6 @@ fn voxc_r4_4_4_g8_is_far(coordinate: vec3<f32>, moves: vec3<bool>) -> bool {
   return any(abs(coordinate) > select(vec3<f32>(voxc_r4_4_4_g8_NEVER), vec3<f32>(voxc_r4_4_4_g8_far_away()), moves));
 }
 
-// Moves coordinates. Those in float32 are sums of two: what the first sum loses is added to the second. Doubles lose
-// one rounding of 2^-53.
-fn voxc_r4_4_4_g8_move_by(way: vec3<f32>, high: ptr<function, vec3<f32>>, low: ptr<function, vec3<f32>>) {
-  let sum = *high + way;
-  let of_way = sum - *high;
-  let of_high = sum - of_way;
-  let lost = (*high - of_high) + (way - of_way);
-  *high = sum;
-  *low += lost;
-}
-
 // Moves a ray that begins far away, to before the last of the faces by which it enters the volume. Once is enough up to
 // a thousand times that distance.
 fn voxc_r4_4_4_g8_come_near(ray: ptr<function, voxc_r4_4_4_g8_Ray>) -> voxc_r4_4_4_g8_Start {
@@ -800,7 +795,7 @@ fn voxc_r4_4_4_g8_prepare_ray(origin: vec3<u32>, direction: vec3<u32>, ordinary:
   ray.given_origin = origin;
   ray.given_direction = direction;
   let size = direction & vec3<u32>(~voxc_r4_4_4_g8_SIGN_BIT);
-  let longest = max(max(size.x, size.y), size.z);
+  let longest = voxc_r4_4_4_g8_longest_of(direction);
   ray.moves = size != vec3<u32>(0u);
   var component: vec3<f32> = bitcast<vec3<f32>>(direction) * bitcast<f32>(0x7f000000u
       - (longest & voxc_r4_4_4_g8_INFINITY_BITS));
@@ -1309,22 +1304,15 @@ struct voxc_r4_4_4_g8_Place {
 
 // From any distance, as rays come near (near.glsl): with halves of 12 bits no product is rounded, and their sum with
 // the origin is kept as two float32, of which the lower one loses less than 2^-43 of the way and the distance. Where
-// rays do not come near, all begin near, or a language has no `precise`.
+// rays do not come near, as nearly all begin there, or as a language has no `precise`, it is one float32.
 fn voxc_r4_4_4_g8_place_at(ray: voxc_r4_4_4_g8_Ray, moment: u32) -> voxc_r4_4_4_g8_Place {
-  let UPPER = 0xfffff000u; // The bits of a float32 but the lowest 12 of its significand.
   let origin = bitcast<vec3<f32>>(ray.given_origin);
   let direction = bitcast<vec3<f32>>(ray.given_direction);
-  let upper = bitcast<vec3<f32>>(ray.given_direction & vec3<u32>(UPPER));
   let t = bitcast<f32>(moment);
-  let early = bitcast<f32>(moment & UPPER);
-  var high: vec3<f32> = origin; var low: vec3<f32> = vec3<f32>(0.0f);
-  voxc_r4_4_4_g8_move_by(early * upper, &high, &low);
-  voxc_r4_4_4_g8_move_by(early * (direction - upper), &high, &low);
-  voxc_r4_4_4_g8_move_by((t - early) * upper, &high, &low);
-  voxc_r4_4_4_g8_move_by((t - early) * (direction - upper), &high, &low);
-  let reach = abs(origin) + abs(t * direction);
-  let lost = 1.0f / 1048576.0f; // 2^-40, or 2^-20 where sums may lose more.
-  return voxc_r4_4_4_g8_Place(high + low, reach * lost, all(reach < vec3<f32>(voxc_r4_4_4_g8_NEVER)));
+  let way = t * direction;
+  let reach = abs(origin) + abs(way);
+  let is_known = all(reach < vec3<f32>(voxc_r4_4_4_g8_NEVER));
+  return voxc_r4_4_4_g8_Place(origin + way, reach / 1048576.0f, is_known); // 2^20.
 }
 
 // Moves a traversal that begins long before a moment to a cell that the ray comes to shortly before.

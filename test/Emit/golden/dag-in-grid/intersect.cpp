@@ -171,6 +171,12 @@ template <bool EXACT_FALLBACK> struct Kernel : Interface<Plan> {
   // 2^exponent, for exponents of normal numbers; the nearest such for others.
   float power_of_two(int exponent) { return uintBitsToFloat(uint(clamp(exponent, -126, 127) + 127) << 23); }
 
+  // The bits of the longest component's magnitude.
+  uint longest_of(uvec3 direction) {
+    uvec3 size = direction & ~SIGN_BIT;
+    return max(max(size.x, size.y), size.z);
+  }
+
   // The largest whole numbers that are not above float32 numbers, within 2^22 of zero.
   ivec3 floor_of(uvec3 bits) {
     ivec3 whole = ivec3(clamp(floor(uintBitsToFloat(bits)), -4194304.0f, 4194304.0f));
@@ -975,7 +981,7 @@ template <bool EXACT_FALLBACK> struct Kernel : Interface<Plan> {
     ray.given_origin = origin;
     ray.given_direction = direction;
     uvec3 size = direction & ~SIGN_BIT;
-    uint longest = max(max(size.x, size.y), size.z);
+    uint longest = longest_of(direction);
     ray.moves = notEqual(size, uvec3(0u));
     vec3 component = uintBitsToFloat(direction) * uintBitsToFloat(0x7f000000u - (longest & INFINITY_BITS));
     component = mix(vec3(LEAST_COMPONENT), component, ray.moves);
